@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build report table table-all table-kitti sweep regression gate-power baseline test fuzz soak mutate bench asan asan-variants tsan valgrind sbom format format-check lint clean
+.PHONY: help deps build program report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -19,25 +19,35 @@ jobs := $(if $(JOBS),--parallel $(JOBS))
 
 # What the two commands are about to do; times are of two idle cores.
 about_test := install missing packages, build everything (10 minutes from nothing), run the tests (6 minutes)
-about_table := install missing packages, build the program (7 minutes from nothing), render the rooms of \
+about_table := install missing packages, build the program (5 minutes from nothing), render the rooms of \
   the test split and run the ablation on them (9 minutes)
 $(foreach goal,$(filter test table,$(MAKECMDGOALS)),$(info make $(goal): $(about_$(goal))))
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{printf "%-18s %s\n", $$1, $$2}'
 
-deps: ## install the Debian packages that are missing (packages.txt)
-	@.ci/install-packages
+deps: ## install what is missing of the Debian packages that program and tests need (packages.txt)
+	@.ci/install-packages program tests
+
+# The program needs fewer packages than the tests.
+.PHONY: packages
+packages:
+	@.ci/install-packages program
 
 # Ninja configures again by itself when a CMakeLists.txt changes.
-build/%/build.ninja: CMakePresets.json | deps
+build/%/build.ninja: CMakePresets.json | packages
 	cmake --preset $* -DCMAKE_CXX_COMPILER_LAUNCHER="$$(command -v ccache)"
 
-build: $(release)/build.ninja ## build everything, Release
+# Exists where GoogleTest was there when the build was configured.
+build/%/CTestTestfile.cmake: | build/%/build.ninja
+	cmake --preset $*
+	@test -e $@ || { echo "make: no GoogleTest: install it (packages.txt)" >&2; exit 1; }
+
+.PRECIOUS: build/%/build.ninja
+build: deps $(release)/CTestTestfile.cmake ## build everything, Release
 	cmake --build --preset release $(jobs)
 
 # The program alone, without tests and benchmarks.
-.PHONY: program
 program: $(release)/build.ninja
 	cmake --build --preset release --target clustervo $(jobs)
 
@@ -78,10 +88,6 @@ regression: program ## run the suite ci and hold it against the committed baseli
 	$(release)/bin/clustervo check results/ci --baseline $(baseline) --exact --junit results/ci/check.xml \
 	  --markdown results/ci/check.md
 
-gate-power: program ## which additions to the estimator would make regression fail if they were lost?
-	@$(release)/bin/clustervo experiment run gate_power -o results/gate_power $(addprefix -j ,$(JOBS))
-	@$(release)/bin/clustervo check results/gate_power --baseline $(baseline) --exact --in-place-of full
-
 # Sixteen seeds tell how far seeds are apart; a check runs the suite's own two.
 baseline: program ## accept what the estimator does now: update the baseline of make regression
 	$(release)/bin/clustervo experiment run ci --seeds 16 -o results/ci_seeds $(addprefix -j ,$(JOBS))
@@ -90,49 +96,35 @@ baseline: program ## accept what the estimator does now: update the baseline of 
 test: build ## run the tests; CLUSTERVO_DATA=<folder> adds those on real data
 	ctest --preset release --output-junit "$(CURDIR)/$(release)/tests.xml"
 
-# libFuzzer with sanitizers; what it learns stays in build/fuzz/attack, and the next call goes on from there.
-HOURS ?=
-RUNS ?= $(if $(HOURS),-1,1000000)
-SEED ?= 1
+# libFuzzer with sanitizers. What it learns and finds stays in build/fuzz/attack/<parser>; the next call goes on from there.
+RUNS ?= 1000000
+SECONDS ?= 0
+PARSER ?= .*
 .PHONY: clang
 clang:
 	@.ci/install-packages clang libclang-rt-dev
-fuzz: clang build/fuzz/build.ninja ## give every parser RUNS=1000000 spoilt files, or all of them HOURS=n (PARSER=suite: that one)
+fuzz: clang deps build/fuzz/CTestTestfile.cmake ## give every parser RUNS=1000000 spoilt files, for SECONDS=n at most (PARSER=suite: that one)
 	cmake --build --preset fuzz --target fuzz_target $(jobs)
-	node .ci/fuzz.mjs $(RUNS) $(or $(HOURS),0) $(SEED) $(or $(JOBS),0) $(PARSER)
-
-# Three hours; the same SEED draws the same disturbances. PART="2 4": the second quarter of the points.
-POINTS ?= 1000000
-PART ?= 1 1
-KILLS ?= 1000
-SLURM_KILLS ?= 100
-soak: $(release)/build.ninja ## let every call on files fail (POINTS=n: n of them), disturb runs KILLS=1000 times
-	cmake --build --preset release --target fault_points suite_kills $(jobs)
-	cd $(release) && tests/faults/fault_points $(POINTS) $(PART) drawn
-	cd $(release) && tests/faults/fault_points $(POINTS) $(PART)
-	cd $(release) && tests/experiments/suite_kills $(KILLS) $(SEED)
-	cd $(release) && tests/experiments/suite_kills $(SLURM_KILLS) $(SEED) slurm
-
-# A sample of MUTANTS=50 changes, the same for the same SEED; FOLDER=reports/statistics: of that one.
-MUTANTS ?= 50
-mutate: deps ## change single tokens of estimator, metrics and statistics: what do the tests not find?
-	node .ci/mutate.mjs $(MUTANTS) $(SEED) $(FOLDER)
+	mkdir -p build/fuzz/attack
+	cd build/fuzz/attack && ../tests/faults/fuzz_target seeds . | grep -xE '$(PARSER)' | \
+	  xargs -P $(or $(JOBS),$$(nproc)) -I@ ../tests/faults/fuzz_target @ -runs=$(RUNS) -max_total_time=$(SECONDS) \
+	  -timeout=20 -verbosity=0 -print_final_stats=1 -artifact_prefix=@/finding- @/corpus @/seeds
 
 bench: build ## run the benchmarks, JSON to build/release/bench
 	cmake --build --preset release --target run_benchmarks
 
 # Two thirds of the tests are the same ones for every variant; each half ends within the hour.
-asan: $(asan)/build.ninja ## build with address and undefined-behaviour sanitizers, run the tests
+asan: deps $(asan)/CTestTestfile.cmake ## build with address and undefined-behaviour sanitizers, run the tests
 	cmake --build --preset asan $(jobs)
 	ctest --preset asan --exclude-regex /EveryVariant
 
-asan-variants: $(asan)/build.ninja ## the same for the tests that every variant must pass
+asan-variants: deps $(asan)/CTestTestfile.cmake ## the same for the tests that every variant must pass
 	cmake --build --preset asan $(jobs)
 	ctest --preset asan --tests-regex /EveryVariant
 
 # The pool of threads, what renders with it, what reads and keeps files with it, and runs that look ahead.
 threaded := base_test synth_dataset_test cache_test datasets_test features_test runner_test
-tsan: build/tsan/build.ninja ## build with the thread sanitizer, run the tests of what has threads
+tsan: deps build/tsan/CTestTestfile.cmake ## build with the thread sanitizer, run the tests of what has threads
 	cmake --build --preset tsan --target $(threaded) $(jobs)
 	cd build/tsan && export TSAN_OPTIONS="suppressions=$(CURDIR)/tests/support/tsan.supp" && \
 	  find tests -name '*_test' -type f | sort | while read -r t; do "$$t" || exit 1; done
@@ -140,24 +132,21 @@ tsan: build/tsan/build.ninja ## build with the thread sanitizer, run the tests o
 # Values that were never set, which the sanitizers above do not see: in the programs that end in minutes.
 memchecked := base_test files_test geometry_test log_test association_test estimation_test clustering_test \
   clustering_unary_test features_test odometry_parts_test metrics_test statistics_test tables_test record_test runs_test gate_test
-valgrind: $(release)/build.ninja ## run tests under valgrind, which finds values that were never set (minutes)
+valgrind: deps $(release)/CTestTestfile.cmake ## run tests under valgrind, which finds values that were never set (minutes)
 	@.ci/install-packages valgrind
 	cmake --build --preset release --target $(memchecked) $(jobs)
 	cd $(release) && for t in $(memchecked); do \
 	  valgrind -q --error-exitcode=1 "$$(find tests -name $$t -type f)" --gtest_brief=1 || exit 1; done
 
-sbom: deps ## write the bill of materials, SPDX JSON: build/sbom.spdx.json
-	@mkdir -p build
-	node .ci/sbom.mjs > build/sbom.spdx.json
-
-format: deps ## format all C++ sources in place
+format: ## format all C++ sources in place
+	@.ci/install-packages clang-format
 	@clang-format -i $(sources)
 
-format-check: deps ## fail where a source is not formatted
+format-check: ## fail where a source is not formatted
 	@clang-format --dry-run -Werror $(sources)
 
 # Of sources by themselves, not joined.
-lint: $(lint)/build.ninja ## run clang-tidy on all C++ sources (minutes)
+lint: deps $(lint)/CTestTestfile.cmake ## run clang-tidy on all C++ sources (minutes)
 	@.ci/install-packages clang-tidy
 	cmake --build $(lint) --target cvo_generated
 	run-clang-tidy -quiet -p $(lint) '$(CURDIR)/($(subst $() ,|,$(strip $(folders))))/'

@@ -5,24 +5,20 @@
 #include <string_view>
 
 #include "core/association/box_association.h"
-#include "core/association/gated_matching.h"
-#include "core/clustering/affinity_term.h"
-#include "core/clustering/box_term.h"
+#include "core/association/matching.h"
 #include "core/clustering/dense_crf.h"
-#include "core/clustering/label_confidence.h"
-#include "core/clustering/motion_term.h"
-#include "core/clusters/box_rematch.h"
+#include "core/clustering/unary_terms.h"
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_map.h"
 #include "core/clusters/identity.h"
+#include "core/estimation/double_track.h"
 #include "core/estimation/motion_extrapolation.h"
-#include "core/estimation/window_policies.h"
 #include "core/interface/options.h"
-#include "core/labelling/cluster_birth.h"
-#include "core/labelling/label_scene.h"
-#include "core/odometry/detection_policies.h"
+#include "core/labelling/cluster_labels.h"
+#include "core/labelling/landmark_update.h"
+#include "core/odometry/cluster_update.h"
 #include "core/solvers/motion_prior.h"
-#include "core/solvers/solver_policy.h"
+#include "core/solvers/schur_solver.h"
 
 namespace cvo {
 

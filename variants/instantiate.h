@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "core/interface/odometry.h"
+#include "core/interface/frame.h"
 
 namespace cvo {
 

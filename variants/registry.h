@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/interface/odometry.h"
+#include "core/interface/frame.h"
 
 namespace cvo {
 

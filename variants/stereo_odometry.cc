@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "core/association/clip_box.h"
+#include "core/association/box_association.h"
 #include "core/base/error.h"
 #include "core/features/front_end.h"
 #include "variants/registry.h"

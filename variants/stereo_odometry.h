@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/task_pool.h"
-#include "core/interface/odometry.h"
+#include "core/interface/frame.h"
 
 namespace cvo {
 

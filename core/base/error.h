@@ -2,11 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace cvo {
+
+inline constexpr std::size_t kMaxMessage = 300;
+
+// Returns the text, without its middle if it is longer than kMaxMessage bytes: files may hold long
+// texts, and messages are for people.
+std::string Shortened(const std::string& text);
 
 // Invalid input or a broken invariant. The message is one line: where (file, line or field), what
 // was found, and what was expected.

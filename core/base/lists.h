@@ -3,7 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -54,6 +57,36 @@ T& FindOrAdd(std::vector<T>& list, const Part& part, std::type_identity_t<T> fre
 inline std::string Counted(std::size_t count, const std::string& one,
                            const std::string& many = {}) {
   return StrCat(count, " ", count == 1 ? one : many.empty() ? one + "s" : many);
+}
+
+// Mean of at least one value.
+inline double MeanOf(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// Sum of the squared distances from the mean.
+inline double SquaresAroundMean(const std::vector<double>& values) {
+  const double mean = MeanOf(values);
+  return std::accumulate(values.begin(), values.end(), 0.0, [mean](double sum, double value) {
+    return sum + (value - mean) * (value - mean);
+  });
+}
+
+// Root mean square of the elements, or of the projection `part` (a function or a member) of each.
+// Empty if there are no elements.
+template <typename T, typename Part = std::identity>
+std::optional<double> RootMeanSquare(const std::vector<T>& list, const Part& part = {}) {
+  if (list.empty()) return std::nullopt;
+  double squares = 0.0;
+  for (const T& element : list) squares += std::invoke(part, element) * std::invoke(part, element);
+  return std::sqrt(squares / static_cast<double>(list.size()));
+}
+
+// Median of at least one value; the mean of the middle two if their number is even.
+inline double Median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 }  // namespace cvo

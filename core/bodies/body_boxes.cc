@@ -2,13 +2,230 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/bodies/body_boxes.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
-#include "core/bodies/body_direction.h"
-#include "core/bodies/body_footprint.h"
-#include "core/bodies/body_score.h"
+#include "core/bodies/body_place.h"
 
 namespace cvo {
+
+namespace {
+
+struct Residuals {
+  int seen = 0;
+  double squared = 0.0;  // whitened, mean over the landmarks seen
+};
+
+Residuals ResidualsOf(const FeatureNoise& noise, const FrameView& view, FrameId newest,
+                      const Cluster& cluster) {
+  Residuals residuals;
+  const ClusterState* state = FindState(cluster, newest);
+  if (state == nullptr) return residuals;
+  const RigidTransform camera_from_object =
+      view.world_from_camera.Inverse() * state->world_from_object;
+  for (const Landmark& landmark : cluster.landmarks) {
+    const Observation* seen = FindObservation(landmark, newest);
+    const auto z_px = view.camera.Project(camera_from_object * landmark.p_in_object);
+    if (seen == nullptr || !z_px) continue;
+    ++residuals.seen;
+    residuals.squared += (noise.SqrtInformation(*seen) * (seen->z_px - *z_px)).squaredNorm();
+  }
+  if (residuals.seen > 0) residuals.squared /= residuals.seen;
+  return residuals;
+}
+
+}  // namespace
+
+double ScoreOf(const FeatureNoise& noise, const ClusterOptions& options, const FrameView* view,
+               FrameId newest, const Cluster& cluster) {
+  const Residuals residuals =
+      view == nullptr ? Residuals() : ResidualsOf(noise, *view, newest, cluster);
+  const double undetected = static_cast<double>(newest.value - cluster.last_detected.value);
+  const double by_detector = 0.5 * (1.0 + cluster.score / (1.0 + std::abs(cluster.score)));
+  const double by_age = cluster.detections / (cluster.detections + 1.0);
+  const double by_landmarks =
+      (residuals.seen + 1.0) / (residuals.seen + 1.0 + options.min_landmarks);
+  const double by_residuals = 1.0 / (1.0 + residuals.squared / noise.options.gate);
+  return by_detector * std::pow(options.score_decay, undetected) * by_age * by_landmarks *
+         by_residuals;
+}
+
+namespace {
+
+constexpr Eigen::Index kFewPoints = 20;
+constexpr int kAngles = 15;  // per right angle, in steps of 6 degrees
+
+struct Interval {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+// Returns the range from `quantile` to one minus it.
+Interval OuterRange(Eigen::VectorXd values, double quantile) {
+  const Eigen::Index last = values.size() - 1;
+  const auto rank = static_cast<Eigen::Index>(std::lround(quantile * static_cast<double>(last)));
+  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  const double low = values[rank];
+  std::nth_element(values.begin(), values.begin() + (last - rank), values.end());
+  return {low, values[last - rank]};
+}
+
+Interval RangeAlong(const Eigen::Vector3d& axis, const Eigen::Matrix3Xd& points, double quantile) {
+  return OuterRange((axis.transpose() * points).transpose(), quantile);
+}
+
+}  // namespace
+
+Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& forward,
+                              const Eigen::Vector3d& down, const BodyBoxOptions& options) {
+  if (points.cols() < kFewPoints) return BoxAxes(forward, down);
+  const auto length_m = [&](const Eigen::Vector3d& axis) {
+    const Interval range = RangeAlong(axis, points, options.quantile);
+    return range.high - range.low;
+  };
+  Eigen::Vector3d best = forward;
+  double least_m2 = std::numeric_limits<double>::infinity();
+  // From -45 to 45 degrees, so that the best axis is the nearest to `forward` of its four
+  // directions.
+  for (int i = 0; i < kAngles; ++i) {
+    const double angle_rad = std::numbers::pi / 2.0 * ((i + 0.5) / kAngles - 0.5);
+    const Eigen::Vector3d axis = Eigen::AngleAxisd(angle_rad, down) * forward;
+    const double area_m2 = length_m(axis) * length_m(axis.cross(down));
+    if (area_m2 >= least_m2) continue;
+    least_m2 = area_m2;
+    best = axis;
+  }
+  return BoxAxes(best, down);
+}
+
+LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
+                         const BodyBoxOptions& options, const ExtentOptions& extent) {
+  LandmarkSides sides;
+  for (int k = 0; k < 3; ++k) {
+    const Interval range = RangeAlong(axes.col(k), points, options.quantile);
+    sides.low[k] = range.low;
+    sides.high[k] = range.high;
+    sides.size_m[k] = std::max(range.high - range.low, 2.0 * extent.min_half_size_m);
+  }
+  return sides;
+}
+
+Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& viewed,
+                             const BodyBoxOptions& options) {
+  Eigen::Vector3d sides_m = size_m;
+  if (viewed.height_m > 0.0) sides_m.y() = viewed.height_m;
+  if (viewed.square_m > 0.0) {
+    for (const int k : {0, 2}) {
+      sides_m[k] = std::clamp(sides_m[k], viewed.square_m / options.footprint_ratio,
+                              viewed.square_m * options.footprint_ratio);
+    }
+  }
+  return sides_m;
+}
+
+Eigen::Vector3d SidesOfBall(const Eigen::Vector3d& size_m, const ViewedSides& viewed) {
+  const double viewed_m = std::max(viewed.height_m, viewed.square_m);
+  return Eigen::Vector3d::Constant(viewed_m > 0.0 ? viewed_m : size_m.maxCoeff());
+}
+
+Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape& shape,
+                                      const Eigen::Vector3d& camera_in_world) {
+  const Eigen::Vector3d camera = shape.axes.transpose() * camera_in_world;
+  Eigen::Vector3d center = 0.5 * (sides.low + sides.high);
+  for (int k = 0; k < 3; ++k) {
+    const double unseen_m = 0.5 * (shape.size_m[k] - (sides.high[k] - sides.low[k]));
+    // From between the planes of the two sides, the camera sees neither better than the other.
+    if (camera[k] < sides.low[k]) center[k] += unseen_m;
+    if (camera[k] > sides.high[k]) center[k] -= unseen_m;
+  }
+  return shape.axes * center;
+}
+
+namespace {
+
+constexpr double kLeastSize_m = 0.01;  // below any real box; keeps the information finite
+
+bool MayBeHidden(const FrameView& view, double max_overlap, int detection) {
+  const ImageBox& box = view.shown.detections[detection].box;
+  for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
+    const ImageBox& other = view.shown.detections[m].box;
+    const double width_px =
+        std::min(box.right_px, other.right_px) - std::max(box.left_px, other.left_px);
+    const double height_px =
+        std::min(box.bottom_px, other.bottom_px) - std::max(box.top_px, other.top_px);
+    if (m == detection || width_px <= 0.0 || height_px <= 0.0) continue;
+    if (width_px * height_px > max_overlap * box.Width() * box.Height()) return true;
+  }
+  return false;
+}
+
+// Directions in which an edge of a detection's box may not be the body's own.
+struct UnseenEdges {
+  bool across = false;  // left or right
+  bool down = false;    // top or bottom
+};
+
+UnseenEdges UnseenOf(const FrameView& view, const BoxCenterOptions& options, int detection) {
+  const bool is_hidden = MayBeHidden(view, options.max_overlap, detection);
+  const CutEdges cut = CutBy(view.camera, options.border_px, view.shown.detections[detection].box);
+  return {is_hidden || cut.left || cut.right, is_hidden || cut.top || cut.bottom};
+}
+
+Eigen::Vector3d Deviations(const BoxCenterOptions& options, const UnseenEdges& unseen,
+                           double size_m) {
+  return size_m * Eigen::Vector3d(unseen.across ? options.unseen_deviation : options.edge_deviation,
+                                  unseen.down ? options.unseen_deviation : options.edge_deviation,
+                                  options.unseen_deviation);
+}
+
+}  // namespace
+
+CutEdges CutBy(const StereoCamera& camera, double border_px, const ImageBox& box) {
+  const double last_u_px = camera.width_px - 1 - border_px;
+  const double last_v_px = camera.height_px - 1 - border_px;
+  CutEdges cut;
+  cut.left = box.left_px < border_px;
+  cut.top = box.top_px < border_px;
+  cut.right = box.right_px > last_u_px;
+  cut.bottom = box.bottom_px > last_v_px;
+  return cut;
+}
+
+Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& options,
+                                 int detection, double size_m) {
+  return Deviations(options, UnseenOf(view, options, detection), size_m);
+}
+
+Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
+                                 const Eigen::Vector3d& ray, const Eigen::Vector3d& deviations_m) {
+  // Axes of a camera that looks along the ray.
+  const Eigen::Matrix3d R =
+      world_from_camera.RotationMatrix() *
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), ray).toRotationMatrix();
+  return R * deviations_m.cwiseAbs2().cwiseInverse().asDiagonal() * R.transpose();
+}
+
+BoxCenter CenterFromBox(const FrameView& view, const BoxCenterOptions& options, double birth_depth,
+                        int detection, const Eigen::Vector3d& surface_in_world) {
+  const ImageBox& box = view.shown.detections[detection].box;
+  const double surface_m = (view.world_from_camera.Inverse() * surface_in_world).z();
+  const Eigen::Vector3d ray((0.5 * (box.left_px + box.right_px) - view.camera.cx) / view.camera.fx,
+                            (0.5 * (box.top_px + box.bottom_px) - view.camera.cy) / view.camera.fy,
+                            1.0);
+  BoxCenter result;
+  result.size_m = std::max(kLeastSize_m, surface_m * std::min(box.Width() / view.camera.fx,
+                                                              box.Height() / view.camera.fy));
+  const double center_m = surface_m + birth_depth * result.size_m;
+  result.center_in_world = view.world_from_camera * (center_m * ray);
+  const UnseenEdges unseen = UnseenOf(view, options, detection);
+  result.information =
+      InformationAlong(view.world_from_camera, ray, Deviations(options, unseen, result.size_m));
+  result.is_whole = !unseen.across && !unseen.down;
+  return result;
+}
 
 // What is known of a body's box at the time of one state of its cluster, in world.
 struct BodyTrack {

@@ -9,9 +9,87 @@
 #include "core/bodies/body_place.h"
 #include "core/clustering/point_extent.h"
 #include "core/clusters/cluster_map.h"
+#include "core/estimation/cluster.h"
 #include "core/interface/body_box_options.h"
 
 namespace cvo {
+
+// Confidence, in (0, 1), that a body is where the cluster is estimated in frame `newest`, for
+// ranking estimates (METHOD.md 10.1). `view` is null in a frame without images.
+double ScoreOf(const FeatureNoise& noise, const ClusterOptions& options, const FrameView* view,
+               FrameId newest, const Cluster& cluster);
+
+// The sides of bodies as estimated from landmarks, for classes without a known size.
+
+// Returns the level axes (BoxAxes) along which the points (columns, in world) have the smallest
+// footprint; of its four directions, the one nearest to `forward` is the first axis. With fewer
+// than 20 points, that axis is `forward` itself.
+Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& forward,
+                              const Eigen::Vector3d& down, const BodyBoxOptions& options);
+
+// Range between outer quantiles of the points along the axes.
+struct LandmarkSides {
+  Eigen::Vector3d low = Eigen::Vector3d::Zero();  // coordinates along the axes
+  Eigen::Vector3d high = Eigen::Vector3d::Zero();
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
+};
+LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
+                         const BodyBoxOptions& options, const ExtentOptions& extent);
+
+// Corrects the sides by those seen in images: the height is that in the images, and each side of
+// the footprint is kept within the factor boxes.footprint_ratio of the square that looks as wide.
+Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& viewed,
+                             const BodyBoxOptions& options);
+
+// Returns the sides of a ball: all are its diameter, which is the larger of height and width in the
+// images or, without these, the largest side of the landmarks.
+Eigen::Vector3d SidesOfBall(const Eigen::Vector3d& size_m, const ViewedSides& viewed);
+
+// Returns the centre of the box in world. Where a side is longer than its landmarks reach, the part
+// without landmarks is on the side away from the camera.
+Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape& shape,
+                                      const Eigen::Vector3d& camera_in_world);
+
+// Options of the steps that estimate a body's centre from its box.
+struct BodyCenterOptions {
+  BoxCenterOptions box_center;
+  ExtentOptions extent;
+  double birth_depth = 0.0;  // clusters.birth_depth
+};
+
+// Edges of a box that the image border may cut: those closer to it than `border_px`.
+struct CutEdges {
+  bool left = false;
+  bool top = false;
+  bool right = false;
+  bool bottom = false;
+};
+CutEdges CutBy(const StereoCamera& camera, double border_px, const ImageBox& box);
+
+// A body's centre as estimated from a single box and the surface points in it.
+struct BoxCenter {
+  Eigen::Vector3d center_in_world = Eigen::Vector3d::Zero();
+  double size_m = 0.0;    // smaller side of the box at the depth of the surface
+  bool is_whole = false;  // neither cut by the image border nor overlapped
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the centre, in world, 1/m^2
+};
+
+// Places the centre on the ray through the centre of the detection's box, behind the surface by
+// `birth_depth` times the smaller side of the box. Where in the box the surface points lie does not
+// matter: the texture may be on one side. The information is low where the box may show only a part
+// of the body, because the image border cuts it or another box overlaps it.
+BoxCenter CenterFromBox(const FrameView& view, const BoxCenterOptions& options, double birth_depth,
+                        int detection, const Eigen::Vector3d& surface_in_world);
+
+// Standard deviations (m) of a body's centre as estimated from its detection's box, across the line
+// of sight (right, down) and along it. `size_m` is the smaller side of the box at the body's depth.
+Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& options,
+                                 int detection, double size_m);
+
+// Information matrix, in world, of a point in direction `ray` of the camera, given the standard
+// deviations across the ray (right, down) and along it.
+Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
+                                 const Eigen::Vector3d& ray, const Eigen::Vector3d& deviations_m);
 
 // Options for the boxes of bodies.
 struct BoxSceneOptions {

@@ -2,13 +2,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 
-#include "core/clusters/frame_view.h"
+#include "core/base/rng.h"
+#include "core/clusters/cluster_map.h"
 #include "core/estimation/cluster.h"
-#include "core/interface/box_center_options.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/interface/body_box_options.h"
 
 namespace cvo {
+
+// Returns the level component of a direction with unit length; an arbitrary level direction if it
+// is vertical.
+Eigen::Vector3d Levelled(const Eigen::Vector3d& direction, const Eigen::Vector3d& down);
+
+// Turns a direction about the vertical as the motion does. Roll and pitch do not change it.
+Eigen::Vector3d TurnedBy(const RigidTransform& motion, const Eigen::Vector3d& down,
+                         const Eigen::Vector3d& direction);
+
+// Returns the axes forward, down, and left of an observer who looks forward, as columns (KITTI's x,
+// y and z of a body). `forward` and `down` must be unit vectors at right angles.
+Eigen::Matrix3d BoxAxes(const Eigen::Vector3d& forward, const Eigen::Vector3d& down);
+
+// Returns the level direction in which the point of the cluster moved, over the shortest past in
+// which it moved by more than `least_m`. Empty if it has not moved that far since the oldest state.
+std::optional<Eigen::Vector3d> DirectionOfMotion(const Cluster& cluster,
+                                                 const Eigen::Vector3d& p_in_object,
+                                                 const Eigen::Vector3d& down, double least_m);
+
+// Estimates which way is down, for boxes of bodies that stand on the ground (METHOD.md 10.4): the
+// normal of the plane that carries many static points and has hardly any below it, averaged over
+// the frames; the camera's own y axis if there is no such plane.
+class GroundDirection {
+ public:
+  explicit GroundDirection(std::uint64_t seed) : rng_(seed, "ground") {}
+
+  // Adds a frame, with the static points that it shows, in world.
+  void Update(std::span<const Eigen::Vector3d> points, const RigidTransform& world_from_camera);
+
+  // Returns the unit vector that points down, in world.
+  Eigen::Vector3d Down(const RigidTransform& world_from_camera) const;
+
+ private:
+  Rng rng_;
+  Eigen::Vector3d sum_ = Eigen::Vector3d::Zero();  // of normals, weighted by their number of points
+};
 
 // Orientation and size of a box in world, without a position. The axes are columns.
 struct BoxShape {

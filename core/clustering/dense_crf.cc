@@ -10,6 +10,7 @@
 #include "core/clustering/pairwise_tiles.h"
 
 namespace cvo {
+
 namespace {
 
 // Cap on energies relative to the lowest one of the node, and the value for padding labels.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/association/assignment.h"
+#include "core/association/box_association.h"
 
 namespace cvo {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/ids.h"
 #include "core/base/options.h"
-#include "core/clustering/crf_scene.h"
+#include "core/clustering/dense_crf.h"
 
 namespace cvo {
 

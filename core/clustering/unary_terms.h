@@ -5,8 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include "core/clustering/crf_scene.h"
-#include "core/clustering/unary_options.h"
+#include "core/clustering/crf_options.h"
+#include "core/clustering/dense_crf.h"
 
 namespace cvo {
 
@@ -65,5 +65,65 @@ struct SilentTerm {
     energies.setZero();
   }
 };
+
+// p_3D as in METHOD.md 5.4: -log p = d^T (Sigma_Z + kappa^2 R diag(l^2) R^T)^-1 d / 2, where d
+// points from the body's centre to the landmark, in the camera frame; the determinant is left out.
+// For a body without a detection the energy is lower by undetected_reach^2 / 2, but not below 0.
+// The static scene and any body of unknown extent have static_energy, the outlier class
+// outlier_energy.
+struct AffinityTerm {
+  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
+};
+
+// As printed: -log p = d^T Sigma_Z^-1 d / l^2, where l is the mean of the half sizes in metres. The
+// paper gives no values for classes without a centre; they have those of AffinityTerm.
+struct AffinityTermLiteral {
+  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
+};
+
+// No term: labels do not depend on the distance from the centres of bodies.
+struct NoAffinityTerm : SilentTerm {};
+
+// p_2D of section 3.2 of the paper: eta / |C| for the labels in C, (1 - eta) / (M - |C|) for the
+// others. C consists of the labels whose detection, shrunk by box_shrink, contains the landmark,
+// and of the static scene if the landmark is in the lowest box_foot of all these detections. If no
+// detection contains it, C consists of the static scene and the labels whose predicted box, not
+// shrunk, contains it: a missed detection is no evidence for or against them (METHOD.md 5.3).
+struct Box2dTerm {
+  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
+};
+
+// The same without predicted boxes: outside all detections, C is the static scene alone, as if a
+// body that the detector missed were not there.
+struct DetectedBox2dTerm {
+  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
+};
+
+// As printed: detections are not shrunk, predicted boxes are not used, and all labels are equally
+// likely if C is empty.
+struct Box2dTermLiteral {
+  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
+};
+
+// p_mot as in METHOD.md 5.5: -log p = min(e^T S^-1 e, motion_cap) / 2 with
+// S = Sigma_z + J R Sigma_Z R^T J^T, where e is the landmark's past observation minus the one
+// predicted from the motion of the body. A point behind the past camera costs motion_cap / 2. New
+// boxes and bodies without a pose in the current or past frame cost neutral_motion, the outlier
+// class outlier_motion. All labels cost the same if the landmark has no past or no label has a pose
+// in the past frame.
+struct MotionTerm {
+  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
+};
+
+// As printed: exp(-e^T Sigma_z^-1 e) / sqrt|Sigma_z|, and the factor 1 for labels without a pose in
+// the past frame, new boxes and outliers. The paper's factor for the current frame is left out, as
+// e = 0 there for every label. A label that puts the point behind the past camera, where the
+// formula has no meaning, is impossible.
+struct MotionTermLiteral {
+  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
+};
+
+// No term: labels do not depend on the motion of bodies.
+struct NoMotionTerm : SilentTerm {};
 
 }  // namespace cvo

@@ -4,7 +4,23 @@
 
 #include <algorithm>
 
-#include "core/clusters/cluster_pose.h"
+#include "core/association/matching.h"
+#include "core/clusters/cluster_prediction.h"
+
+namespace cvo {
+
+void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from_object,
+                   const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
+                   std::span<StereoFeature> features) {
+  for (const Match& match : matches) {
+    StereoFeature& feature = features[match.feature];
+    if (!IsLeftOnly(feature)) continue;
+    const auto zeta_px = camera.Project(camera_from_object * landmarks[match.landmark].p_in_object);
+    if (zeta_px) feature.z_px[2] = feature.z_px[0] + (*zeta_px)[2] - (*zeta_px)[0];
+  }
+}
+
+}  // namespace cvo
 
 namespace cvo::internal {
 void PredictLandmarksOf(const ClusterSearch& search, const Cluster& cluster, int q,
@@ -108,3 +124,183 @@ void FindBoxOfTrack(const ClusterSearch& search, const Cluster& cluster, Cluster
 }
 
 }  // namespace cvo::internal
+
+namespace cvo {
+
+namespace {
+
+// Matches free features inside the box with landmarks of the cluster that are not in `matched`, by
+// their descriptors.
+std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluster,
+                              const std::vector<Match>& matched, const ImageBox& box,
+                              const TakenFeatures& taken) {
+  std::vector<char> is_matched(cluster.landmarks.size(), 0);
+  for (const Match& match : matched) is_matched[match.landmark] = 1;
+  std::vector<Descriptor> descriptors;
+  std::vector<int> landmarks;
+  for (int i = 0; i < static_cast<int>(cluster.landmarks.size()); ++i) {
+    if (is_matched[i]) continue;
+    descriptors.push_back(cluster.landmarks[i].descriptor);
+    landmarks.push_back(i);
+  }
+  std::vector<StereoFeature> features;
+  std::vector<int> indices;
+  for (int i = 0; i < static_cast<int>(search.frame.features.size()); ++i) {
+    const StereoFeature& feature = search.frame.features[i];
+    if (taken[i] || !box.Contains(feature.z_px[0], feature.z_px[1])) continue;
+    if (!IsAllowed(search, cluster, i)) continue;
+    features.push_back(feature);
+    indices.push_back(i);
+  }
+  std::vector<Match> matches =
+      MatchDescriptors(descriptors, features, search.options.association.rematch_hamming,
+                       search.options.association.rematch_ratio);
+  for (Match& match : matches) {
+    match.landmark = landmarks[match.landmark];
+    match.feature = indices[match.feature];
+  }
+  return matches;
+}
+
+// Adds matches inside the cluster's box. They must agree with its pose or, if it has none, with
+// each other.
+void RematchAssociated(const ClusterSearch& search, const Cluster& cluster, Rng& rng,
+                       TakenFeatures& taken, ClusterTrack& track) {
+  const ImageBox& box = search.shown.detections[track.detection].box;
+  std::vector<Match> matches = MatchInBox(search, cluster, track.matches, box, taken);
+  const int min_inliers = track.is_tracked ? search.options.clusters.min_tracked
+                                           : search.options.association.min_rematch;
+  matches.insert(matches.end(), track.matches.begin(), track.matches.end());
+  std::sort(matches.begin(), matches.end(),
+            [](const Match& a, const Match& b) { return a.landmark < b.landmark; });
+  const auto solution = SolvePose(search, cluster, track.world_from_object, matches, min_inliers,
+                                  track.is_tracked, rng);
+  const int before = static_cast<int>(track.matches.size());
+  if (solution && solution->inliers >= before) {
+    AcceptPose(search, matches, *solution, taken, track);
+  }
+}
+
+// The body that the detection shows according to GivenKnowledge; invalid if unknown.
+BodyId GivenBody(const FrameView& view, int detection) {
+  const std::span<const BodyId> given = view.shown.detection_body;
+  return given.empty() ? BodyId() : given[detection];
+}
+
+// Whether the detection may show the cluster, judged by its class and its given body.
+bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
+  const BodyId given = GivenBody(view, detection);
+  return view.shown.detections[detection].category == cluster.category &&
+         (!given.valid() || given == cluster.given_body);
+}
+
+// Looks for the cluster in the detection's box. If it is found, updates the track and returns true.
+bool Reacquire(const ClusterSearch& search, const Cluster& cluster, int detection, Rng& rng,
+               TakenFeatures& taken, ClusterTrack& track) {
+  const Detection& seen = search.shown.detections[detection];
+  if (!MayShow(search, detection, cluster)) return false;
+  const std::vector<Match> matches = MatchInBox(search, cluster, {}, seen.box, taken);
+  const auto solution = SolvePose(search, cluster, track.world_from_object, matches,
+                                  search.options.association.min_rematch, false, rng);
+  if (!solution || solution->inliers <= static_cast<int>(track.matches.size())) return false;
+  AcceptPose(search, matches, *solution, taken, track);
+  track.detection = detection;
+  return true;
+}
+
+// Moves an archived cluster back to the live ones, which stay sorted by id, and inserts its track.
+void Revive(std::size_t archived, const ClusterTrack& track, ClusterMap& map,
+            std::vector<ClusterTrack>& tracks) {
+  Cluster cluster = std::move(map.archived[archived]);
+  map.archived.erase(map.archived.begin() + static_cast<std::ptrdiff_t>(archived));
+  const auto place =
+      std::lower_bound(map.live.begin(), map.live.end(), cluster.id,
+                       [](const Cluster& live, ClusterId id) { return live.id < id; });
+  tracks.insert(tracks.begin() + (place - map.live.begin()), track);
+  map.live.insert(place, std::move(cluster));
+}
+
+// A cluster that was not found. Live ones are tried first, then archived ones, latest first.
+struct Missing {
+  bool is_live = true;
+  std::size_t index = 0;  // into map.live or map.archived
+};
+
+std::vector<Missing> FindMissing(const ClusterMap& map, const std::vector<ClusterTrack>& tracks) {
+  std::vector<Missing> missing;
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    if (tracks[q].detection < 0 && !tracks[q].is_tracked) missing.push_back({true, q});
+  }
+  for (std::size_t k = map.archived.size(); k-- > 0;) missing.push_back({false, k});
+  return missing;
+}
+
+// Matches detections that belong to no cluster with the landmarks of missing clusters.
+class Reacquisition {
+ public:
+  Reacquisition(const ClusterSearch& search, const std::vector<PredictedCluster>& archived,
+                ClusterMap& map, TakenFeatures& taken, std::vector<ClusterTrack>& tracks)
+      : search_(search), archived_(archived), map_(map), taken_(taken), tracks_(tracks) {}
+
+  void Try(int detection, Rng& rng) {
+    for (const Missing& missing : FindMissing(map_, tracks_)) {
+      ClusterTrack track = TrackOf(missing);
+      if (!Reacquire(search_, ClusterOf(missing), detection, rng, taken_, track)) continue;
+      Accept(missing, track);
+      return;
+    }
+  }
+
+ private:
+  const Cluster& ClusterOf(const Missing& missing) const {
+    return missing.is_live ? map_.live[missing.index] : map_.archived[missing.index];
+  }
+
+  ClusterTrack TrackOf(const Missing& missing) const {
+    if (missing.is_live) return tracks_[missing.index];
+    ClusterTrack track;
+    track.predicted = archived_[missing.index];
+    track.world_from_object = track.predicted.world_from_object;
+    return track;
+  }
+
+  void Accept(const Missing& missing, const ClusterTrack& track) {
+    if (missing.is_live) {
+      tracks_[missing.index] = track;
+      return;
+    }
+    archived_.erase(archived_.begin() + static_cast<std::ptrdiff_t>(missing.index));
+    Revive(missing.index, track, map_, tracks_);
+  }
+
+  const ClusterSearch& search_;
+  std::vector<PredictedCluster> archived_;
+  ClusterMap& map_;
+  TakenFeatures& taken_;
+  std::vector<ClusterTrack>& tracks_;
+};
+
+}  // namespace
+
+void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
+                           TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    if (tracks[q].detection < 0) continue;
+    RematchAssociated(search, map.live[q], rng, taken, tracks[q]);
+  }
+}
+
+void RematchInBox::Reacquire(const ClusterSearch& search,
+                             const std::vector<PredictedCluster>& archived, ClusterMap& map,
+                             Rng& rng, TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
+  std::vector<char> is_used(search.shown.detections.size(), 0);
+  for (const ClusterTrack& track : tracks) {
+    if (track.detection >= 0) is_used[track.detection] = 1;
+  }
+  Reacquisition reacquisition(search, archived, map, taken, tracks);
+  for (int m = 0; m < static_cast<int>(is_used.size()); ++m) {
+    if (!is_used[m]) reacquisition.Try(m, rng);
+  }
+}
+
+}  // namespace cvo

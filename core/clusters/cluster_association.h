@@ -2,15 +2,58 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/association/box_association.h"
-#include "core/association/gated_matching.h"
+#include "core/association/matching.h"
 #include "core/base/rng.h"
-#include "core/clusters/box_rematch.h"
-#include "core/clusters/cluster_track.h"
+#include "core/clusters/cluster_prediction.h"
+#include "core/estimation/cluster.h"
+#include "core/geometry/rigid_transform.h"
+#include "core/geometry/stereo_camera.h"
 
 namespace cvo {
+
+// Gives features found in the left image only, and matched with landmarks of a body, the disparity
+// that the body's pose predicts for these landmarks (METHOD.md 4.7).
+void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from_object,
+                   const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
+                   std::span<StereoFeature> features);
+
+// How clusters are matched by descriptors alone, without a prediction (paper, end of section 3.1).
+// Rematch searches the boxes that were assigned to clusters. Reacquire searches the remaining boxes
+// for clusters that were not found, archived ones included (`archived` holds their predictions).
+template <typename Policy>
+concept BoxRematchPolicy = requires(const ClusterSearch& search,
+                                    const std::vector<PredictedCluster>& archived, ClusterMap& map,
+                                    Rng& rng, TakenFeatures& taken,
+                                    std::vector<ClusterTrack>& tracks) {
+  Policy::Rematch(search, map, rng, taken, tracks);
+  Policy::Reacquire(search, archived, map, rng, taken, tracks);
+};
+
+// Policy: compares the descriptors in the box with those of the cluster's unmatched landmarks and
+// keeps the matches that agree on a pose.
+struct RematchInBox {
+  static void Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
+                      TakenFeatures& taken, std::vector<ClusterTrack>& tracks);
+  static void Reacquire(const ClusterSearch& search, const std::vector<PredictedCluster>& archived,
+                        ClusterMap& map, Rng& rng, TakenFeatures& taken,
+                        std::vector<ClusterTrack>& tracks);
+};
+// Policy: searches only the boxes that were assigned to clusters, as in the paper.
+struct RematchInOwnBox : RematchInBox {
+  static void Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&, ClusterMap&,
+                        Rng&, TakenFeatures&, std::vector<ClusterTrack>&) {}
+};
+// Policy: no matching without a prediction.
+struct NoBoxRematch {
+  static void Rematch(const ClusterSearch&, const ClusterMap&, Rng&, TakenFeatures&,
+                      std::vector<ClusterTrack>&) {}
+  static void Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&, ClusterMap&,
+                        Rng&, TakenFeatures&, std::vector<ClusterTrack>&) {}
+};
 
 namespace internal {
 

@@ -8,6 +8,7 @@
 #include "core/base/lists.h"
 
 namespace cvo {
+
 namespace {
 
 // Information from observations on a landmark's position x; its energy is

@@ -2,12 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <vector>
+
+#include "core/association/matching.h"
 #include "core/base/task_pool.h"
 #include "core/clusters/cluster_map.h"
-#include "core/estimation/window_policies.h"
-#include "core/solvers/solver_policy.h"
+#include "core/estimation/camera_solver.h"
+#include "core/estimation/cluster.h"
+#include "core/estimation/double_track.h"
+#include "core/solvers/schur_solver.h"
 
 namespace cvo {
+
+// Converts matches of a body's landmarks with features to measurements of the camera pose in the
+// body's frame.
+std::vector<PointMeasurement> MeasurementsOf(const FeatureNoise& noise,
+                                             const std::vector<Landmark>& landmarks,
+                                             std::span<const StereoFeature> features,
+                                             const std::vector<Match>& matches);
 
 // The optimisation problem of a cluster, and the states and landmarks that take part in it.
 struct ClusterSelection {

@@ -4,10 +4,14 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "core/association/gated_matching.h"
-#include "core/clusters/frame_view.h"
+#include "core/association/box_association.h"
+#include "core/association/matching.h"
+#include "core/base/rng.h"
+#include "core/clusters/cluster_map.h"
+#include "core/estimation/camera_solver.h"
 #include "core/estimation/cluster.h"
 #include "core/estimation/motion_extrapolation.h"
 #include "core/estimation/window.h"
@@ -60,5 +64,34 @@ ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions
 std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark);
+
+// Result of the association for one live cluster in the current frame.
+struct ClusterTrack {
+  PredictedCluster predicted;
+  RigidTransform world_from_object;  // provisional P_t^q if is_tracked, otherwise predicted
+  bool is_tracked = false;           // has a pose from at least min_tracked inliers
+  std::vector<Match> matches;        // inliers: index into cluster.landmarks, feature
+  int detection = -1;                // index into the frame's detections; -1: none
+  ImageBox box;                      // around its matched or predicted landmarks; unset if detected
+};
+
+// False if the given labels (GivenKnowledge) assign the feature to a body other than the cluster's.
+bool IsAllowed(const FrameView& view, const Cluster& cluster, int feature);
+// Estimates object_from_camera from matches, as a CameraSolution whose world is the object frame.
+// If world_from_object can be trusted (is_predicted), the solution that starts from it is taken,
+// provided that at least half of the matches agree with it; otherwise RANSAC is used. Empty if
+// fewer than min_inliers matches agree.
+std::optional<CameraSolution> SolvePose(const ClusterSearch& search, const Cluster& cluster,
+                                        const RigidTransform& world_from_object,
+                                        const std::vector<Match>& matches, int min_inliers,
+                                        bool is_predicted, Rng& rng);
+// Sets the track's pose and matches to the solution and its inliers, and marks the features of the
+// inliers as taken.
+void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
+                const CameraSolution& solution, TakenFeatures& taken, ClusterTrack& track);
+// Moves the matched features to where they show their landmarks: AlignToLandmarks (if align_patches
+// is set), then PlaceLeftOnly.
+void PlaceFeatures(const ClusterSearch& search, const Cluster& cluster, const ClusterTrack& track,
+                   std::span<StereoFeature> features);
 
 }  // namespace cvo

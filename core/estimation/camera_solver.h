@@ -6,11 +6,19 @@
 #include <span>
 #include <vector>
 
+#include "core/base/rng.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
-#include "core/solvers/measurement_noise.h"
+#include "core/solvers/reprojection_cost.h"
 
 namespace cvo {
+
+// Estimates to_from_from from pairs of points (columns) that may contain many outliers. Each
+// hypothesis is fixed by three pairs. The one with the most pairs within max_distance_m is refitted
+// to these pairs. Empty if no hypothesis has min_inliers of them.
+std::optional<RigidTransform> AlignPointsRansac(const Eigen::Matrix3Xd& from,
+                                                const Eigen::Matrix3Xd& to, double max_distance_m,
+                                                int min_inliers, int iterations, Rng& rng);
 
 // A point of known position, observed in the frame whose camera pose is to be estimated.
 struct PointMeasurement {
@@ -47,5 +55,22 @@ int CoveredCells(const StereoCamera& camera, std::span<const PointMeasurement> m
 std::optional<Eigen::Vector3d> WhitenedError(const StereoCamera& camera,
                                              const PointMeasurement& measurement,
                                              const RigidTransform& camera_from_world);
+
+// Scores a hypothesis by its inliers: CoveredCells for a camera, CountInliers for a body, which may
+// lie in a single cell of the image.
+using Support = int(const StereoCamera&, std::span<const PointMeasurement>,
+                    std::span<const char> is_inlier);
+int CountInliers(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
+                 std::span<const char> is_inlier);
+
+// Estimates the camera pose without an initial guess from measurements that may contain many
+// outliers. Each hypothesis is a 3D-3D alignment of three triangulated points. The one with the
+// highest support among the measurements within the gate (widened by noise.hypothesis_gate) is
+// refined by SolveCamera. Empty if there is no hypothesis, or if the refined pose has fewer than
+// min_inliers inliers.
+std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
+                                                std::span<const PointMeasurement> measurements,
+                                                const NoiseOptions& noise, Support& support,
+                                                int iterations, int min_inliers, Rng& rng);
 
 }  // namespace cvo

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/estimation/marginalization.h"
 #include "core/estimation/window_problem.h"
 
 namespace cvo {

@@ -3,12 +3,155 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
+#include <limits>
 #include <vector>
 
-#include "core/estimation/window_policies.h"
-#include "core/solvers/measurement_noise.h"
+#include "core/base/options.h"
+#include "core/estimation/window.h"
+#include "core/solvers/reprojection_cost.h"
 
 namespace cvo {
+
+struct WindowOptions {
+  int spatial = 5;
+  int temporal = 15;
+  double promote_translation = 0.12;
+  double promote_rotation_rad = 0.1745;
+  double promote_common = 0.6;
+  int lost_frames = 3;
+
+  template <typename Self, typename Visitor>
+  static void VisitFields(Self& self, Visitor& visit) {
+    visit.Field("spatial", self.spatial,
+                {"frames", 1, 100, "frames in the spatial track, |T_s|", "paper, section 4.1"});
+    visit.Field("temporal", self.temporal,
+                {"frames", 2, 200, "frames in the temporal track, |T_t|", "paper, section 4.1"});
+    visit.Field("promote_translation", self.promote_translation,
+                {"median depths", 0, 100,
+                 "distance from the newest frame in T_s beyond which a frame is promoted; larger "
+                 "spans more time with less overlap",
+                 "METHOD.md 7.1"});
+    visit.Field(
+        "promote_rotation_rad", self.promote_rotation_rad,
+        {"rad", 0, 3.15, "rotation from the newest frame in T_s beyond which a frame is promoted",
+         "METHOD.md 7.1"});
+    visit.Field("promote_common", self.promote_common,
+                {"1", 0, 1,
+                 "a frame is promoted if it sees less than this fraction of the landmarks of the "
+                 "newest frame in T_s",
+                 "METHOD.md 7.1"});
+    visit.Field("lost_frames", self.lost_frames,
+                {"frames", 1, 100,
+                 "a landmark seen only once is removed after this many frames without an "
+                 "observation; with the rule MarginalizeLost, a landmark not seen for this many "
+                 "frames is marginalised with the frame that leaves",
+                 "METHOD.md 7.3"});
+  }
+};
+
+// Decides for each landmark seen by the frame that leaves T_s whether it is marginalised with all
+// its observations; otherwise only that one observation is deleted (METHOD.md 7.3). kKeepsPrior:
+// what is marginalised becomes a prior of the window.
+template <typename Policy>
+concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newest,
+                                         const WindowOptions& options) {
+  { Policy::kKeepsPrior } -> std::convertible_to<bool>;
+  { Policy::Marginalizes(landmark, newest, options) } -> std::same_as<bool>;
+};
+
+// Policy: marginalise landmarks that were not seen in the last lost_frames frames.
+struct MarginalizeLost {
+  static constexpr bool kKeepsPrior = true;
+  static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions& options) {
+    return landmark.last_seen.value <= newest.value - options.lost_frames;
+  }
+};
+// Policy: marginalise landmarks that the newest frame does not see; the paper's rule.
+struct MarginalizeUnseenByNewest {
+  static constexpr bool kKeepsPrior = true;
+  static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions&) {
+    return landmark.last_seen < newest;
+  }
+};
+// Policy: marginalise nothing and form no prior from what leaves.
+struct MarginalizeNothing {
+  static constexpr bool kKeepsPrior = false;
+  static bool Marginalizes(const Landmark&, FrameId, const WindowOptions&) { return false; }
+};
+
+// Fixes the gauge of the window: whether the pose of its frame `index` is held constant.
+template <typename Policy>
+concept GaugePolicy = requires(int index, const WindowPrior& prior) {
+  { Policy::Fixes(index, prior) } -> std::same_as<bool>;
+};
+
+// Policy: the oldest frame is held constant.
+struct FixOldestFrame {
+  static bool Fixes(int index, const WindowPrior&) { return index == 0; }
+};
+// Policy: once there is a prior, it alone fixes the gauge; until then the oldest frame is held (the
+// paper's).
+struct PriorHoldsGauge {
+  static bool Fixes(int index, const WindowPrior& prior) {
+    return index == 0 && prior.frames.empty();
+  }
+};
+
+// Whether a frame leaving T_t joins T_s.
+template <typename Policy>
+concept PromotionPolicy = requires(const Window& window, const WindowFrame& frame,
+                                   const WindowOptions& options) {
+  { Policy::Promotes(window, frame, options) } -> std::same_as<bool>;
+};
+
+// Policy: if it is far from the newest frame in T_s (METHOD.md 7.1).
+struct PromoteDistant {
+  static bool Promotes(const Window& window, const WindowFrame& frame,
+                       const WindowOptions& options);
+};
+// Policy: never; T_s stays empty.
+struct PromoteNever {
+  static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
+};
+
+// How far the calibration of the stereo rig is trusted: the prior standard deviation of each
+// coefficient of right_field_px, unless kFixesRightField holds them constant.
+template <typename Policy>
+concept CalibrationPolicy = requires(const NoiseOptions& noise) {
+  { Policy::kFixesRightField } -> std::convertible_to<bool>;
+  { Policy::Deviation(noise) } -> std::same_as<Vector6d>;
+};
+
+// Policy: the calibration error varies smoothly over the image.
+struct EstimateRightField {
+  static constexpr bool kFixesRightField = false;
+  static Vector6d Deviation(const NoiseOptions& noise);
+};
+// Policy: the calibration error is constant over the image.
+struct EstimateRightShift {
+  static constexpr bool kFixesRightField = false;
+  static Vector6d Deviation(const NoiseOptions& noise);
+};
+// Policy: the calibration is taken as exact.
+struct TrustCalibration : EstimateRightShift {
+  static constexpr bool kFixesRightField = true;
+};
+
+// Maximum squared whitened error with which an observation stays in the window after a solve.
+template <typename Policy>
+concept OutlierPolicy = requires(const NoiseOptions& options) {
+  { Policy::Gate(options) } -> std::same_as<double>;
+};
+
+// Policy: observations beyond noise.gate are removed permanently.
+struct RemoveOutliers {
+  static double Gate(const NoiseOptions& options) { return options.gate; }
+};
+// Policy: all observations stay, down-weighted only by the robust loss (the paper's).
+struct KeepOutliers {
+  static double Gate(const NoiseOptions&) { return std::numeric_limits<double>::infinity(); }
+};
 
 // Marginalises the frame, together with the given landmarks (ascending) and all their observations,
 // into the window's prior. Neither the frame nor the landmarks are removed from the window.

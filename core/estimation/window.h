@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/base/ids.h"
-#include "core/estimation/landmark.h"
+#include "core/estimation/cluster.h"
 #include "core/geometry/stereo_camera.h"
-#include "core/solvers/window_prior.h"
+#include "core/solvers/window_solver.h"
 
 namespace cvo {
 

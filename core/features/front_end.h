@@ -7,8 +7,8 @@
 
 #include "core/base/task_pool.h"
 #include "core/features/options.h"
-#include "core/features/orb/corner_region.h"
-#include "core/features/stereo_feature.h"
+#include "core/features/orb/corner_selection.h"
+#include "core/features/orb/orb.h"
 #include "core/geometry/stereo_camera.h"
 
 namespace cvo {

@@ -3,20 +3,46 @@
 #include "core/files/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "core/base/error.h"
-#include "core/files/temporary.h"
 
 namespace cvo {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::string_view kMark = ".tmp-";
+constexpr std::size_t kDigits = 16;
+constexpr std::string_view kHex = "0123456789abcdef";
+constexpr std::chrono::hours kMaxAge(24);  // no write takes that long
+
+bool IsOld(const fs::path& path) {
+  std::error_code gone;
+  const fs::file_time_type written = fs::last_write_time(path, gone);
+  return !gone && fs::file_time_type::clock::now() - written > kMaxAge;
+}
+
+void RemoveWhere(const fs::path& folder, const std::function<bool(const fs::path&)>& goes) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    if (goes(it->path())) found.push_back(it->path());
+  }
+  for (const fs::path& path : found) fs::remove_all(path, error);
+}
 
 constexpr std::size_t kPendingBytes = std::size_t{1} << 18U;  // small parts are combined
 
@@ -47,14 +73,47 @@ void RemoveFile(const fs::path& folder, const fs::path& name) {
 
 }  // namespace
 
+fs::path TemporaryName(const fs::path& target) {
+  std::array<unsigned char, kDigits> bytes{};
+  Require(::getrandom(bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()),
+          "TemporaryName: the system gives no random bytes");
+  std::string digits;
+  for (const unsigned char byte : bytes) digits += kHex[byte % kHex.size()];
+  return target.parent_path() / StrCat(".", target.filename().string(), kMark, digits);
+}
+
+bool IsTemporary(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const std::size_t mark = name.rfind(kMark);
+  return name.starts_with('.') && mark != std::string::npos &&
+         name.size() == mark + kMark.size() + kDigits &&
+         name.find_first_not_of(kHex, mark + kMark.size()) == std::string::npos;
+}
+
+void RemoveLeftovers(const fs::path& folder) {
+  RemoveWhere(folder, [](const fs::path& path) { return IsTemporary(path) && IsOld(path); });
+}
+
+void RemoveTemporaries(const fs::path& folder) { RemoveWhere(folder, IsTemporary); }
+
+void RemoveEmptyFolders(const fs::path& folder) {
+  RemoveWhere(folder, [](const fs::path& path) {
+    std::error_code error;
+    return fs::symlink_status(path, error).type() == fs::file_type::directory && IsOld(path) &&
+           fs::is_empty(path, error);
+  });
+}
+
+std::string HostName() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
+}
+
 StagedFile::StagedFile(fs::path target) : target_(std::move(target)) {
-  // A killed process with the same id may have left such files behind.
-  for (int attempt = 0;; ++attempt) {
-    temporary_ = TemporaryName(target_, std::to_string(attempt));
-    file_ = FileDescriptor(temporary_, O_WRONLY | O_CREAT | O_EXCL);
-    if (file_.get() >= 0) return;
-    if (errno != EEXIST || attempt == 1000) ThrowErrno(target_, "write", errno);
-  }
+  const fs::path temporary = TemporaryName(target_);
+  file_ = FileDescriptor(temporary, O_WRONLY | O_CREAT | O_EXCL);
+  if (file_.get() < 0) ThrowErrno(target_, "write", errno);
+  temporary_ = temporary;
 }
 
 StagedFile::~StagedFile() {

@@ -12,9 +12,30 @@
 #include <vector>
 
 #include "core/files/disk.h"
-#include "core/files/text_sink.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
+
+// Returns a temporary name for a file or folder that must be either complete under its own name or
+// absent. Until it is complete, it has this name beside its target:
+// "<folder>/.<name>.tmp-<random>".
+std::filesystem::path TemporaryName(const std::filesystem::path& target);
+
+bool IsTemporary(const std::filesystem::path& file);
+
+// Removes temporaries that have not been modified for a day: their writers were killed. Never
+// throws.
+void RemoveLeftovers(const std::filesystem::path& folder);
+
+// Removes all temporaries in a folder. Only for a caller with exclusive write access to the folder.
+void RemoveTemporaries(const std::filesystem::path& folder);
+
+// Removes empty subfolders that have not been modified for a day, such as those of killed tasks.
+// Never throws.
+void RemoveEmptyFolders(const std::filesystem::path& folder);
+
+// Name of this machine; "unknown" if it cannot be determined.
+std::string HostName();
 
 struct NamedContent {
   // Relative to the folder. "a/b" is in a subfolder, which is created if it does not exist.
@@ -34,6 +55,7 @@ class StagedFile {
   const std::filesystem::path& target() const { return target_; }
 
   void Append(std::string_view bytes);
+  std::uint64_t size_bytes() const { return size_bytes_ + pending_.size(); }
   // Writes the remaining bytes, checks for errors and syncs the file to disk. Nothing may be
   // appended afterwards.
   void Complete();

@@ -24,7 +24,8 @@ enum class FaultKind { kNone, kFail, kShort, kKill };
 
 struct FaultPoint {
   FaultKind kind = FaultKind::kNone;
-  std::uint64_t call = 0;
+  std::string call;
+  std::uint64_t number = 0;
   std::uint64_t* calls = nullptr;  // counter of the calls of all processes so far
 };
 
@@ -32,41 +33,45 @@ FaultPoint FaultFromEnvironment() {
   const char* variable = std::getenv("CLUSTERVO_FAULT");
   if (variable == nullptr) return {};
   const std::string text = variable;
-  const std::size_t number = text.find(',') + 1;
+  const std::size_t call = text.find(',') + 1;
+  const std::size_t number = text.find(',', call) + 1;
   const std::size_t file = text.find(',', number) + 1;
-  Require(number > 0 && file > 0, "CLUSTERVO_FAULT: expected <kind>,<n>,<file>");
+  Require(call > 0 && number > call && file > number,
+          "CLUSTERVO_FAULT: expected <fault>,<call>,<n>,<file>");
   const int fd = ::open(text.c_str() + file, O_RDWR | O_CLOEXEC);
   void* const calls =
       ::mmap(nullptr, sizeof(std::uint64_t), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
   ::close(fd);
   Require(calls != MAP_FAILED, "CLUSTERVO_FAULT: the file cannot be mapped");
-  const std::string kind = text.substr(0, number - 1);
+  const std::string kind = text.substr(0, call - 1);
   return {kind == "kill"    ? FaultKind::kKill
           : kind == "short" ? FaultKind::kShort
                             : FaultKind::kFail,
-          std::strtoull(text.c_str() + number, nullptr, 10), static_cast<std::uint64_t*>(calls)};
+          text.substr(call, number - 1 - call), std::strtoull(text.c_str() + number, nullptr, 10),
+          static_cast<std::uint64_t*>(calls)};
 }
 
 // Returns the fault for the call that is about to be made.
-FaultKind NextFault() {
+FaultKind NextFault(std::string_view call) {
   static const FaultPoint point = FaultFromEnvironment();
-  if (point.kind == FaultKind::kNone) return FaultKind::kNone;
-  if (std::atomic_ref(*point.calls).fetch_add(1) + 1 != point.call) return FaultKind::kNone;
+  if (point.kind == FaultKind::kNone || point.call != call) return FaultKind::kNone;
+  if (std::atomic_ref(*point.calls).fetch_add(1) + 1 != point.number) return FaultKind::kNone;
   if (point.kind == FaultKind::kKill) ::raise(SIGKILL);
   return point.kind;
 }
 
 // Whether the call is to fail. If so, sets errno to `error`.
-bool Fails(int error) {
-  if (NextFault() != FaultKind::kFail) return false;
+bool Fails(std::string_view call, int error) {
+  if (NextFault(call) != FaultKind::kFail) return false;
   errno = error;
   return true;
 }
 
 // Transfers once: all bytes or, for a short transfer, half of them. To fail, sets errno to `error`.
 template <typename Transfer>
-ssize_t TransferOnce(const Transfer& transfer, std::size_t count, int error) {
-  const FaultKind fault = NextFault();
+ssize_t TransferOnce(std::string_view call, const Transfer& transfer, std::size_t count,
+                     int error) {
+  const FaultKind fault = NextFault(call);
   if (fault == FaultKind::kFail) {
     errno = error;
     return -1;
@@ -81,7 +86,7 @@ void ThrowErrno(const fs::path& file, const char* action, int error) {
 }
 
 FileDescriptor::FileDescriptor(const fs::path& path, int flags)
-    : fd_(Fails((flags & O_CREAT) != 0 ? ENOSPC : EIO)
+    : fd_(Fails("open", (flags & O_CREAT) != 0 ? ENOSPC : EIO)
               ? -1
               : ::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
 
@@ -104,6 +109,7 @@ void WriteAll(const FileDescriptor& to, std::string_view bytes, std::uint64_t of
               const fs::path& file) {
   while (!bytes.empty()) {
     const ssize_t written = TransferOnce(
+        "write",
         [&](std::size_t count) {
           return ::pwrite(to.get(), bytes.data(), count, static_cast<off_t>(offset));
         },
@@ -120,6 +126,7 @@ std::ptrdiff_t ReadUpTo(const FileDescriptor& from, char* bytes, std::size_t cou
   std::size_t done = 0;
   while (done < count) {
     const ssize_t read = TransferOnce(
+        "read",
         [&](std::size_t part) {
           return ::pread(from.get(), bytes + done, part, static_cast<off_t>(offset + done));
         },
@@ -132,14 +139,12 @@ std::ptrdiff_t ReadUpTo(const FileDescriptor& from, char* bytes, std::size_t cou
   return static_cast<std::ptrdiff_t>(done);
 }
 
-int SyncFile(const FileDescriptor& file) { return Fails(ENOSPC) ? -1 : ::fsync(file.get()); }
-
-int RenameFile(const fs::path& from, const fs::path& to) {
-  return Fails(ENOSPC) ? -1 : ::rename(from.c_str(), to.c_str());
+int SyncFile(const FileDescriptor& file) {
+  return Fails("sync", ENOSPC) ? -1 : ::fsync(file.get());
 }
 
-int LinkFile(const fs::path& from, const fs::path& to) {
-  return Fails(ENOSPC) ? -1 : ::link(from.c_str(), to.c_str());
+int RenameFile(const fs::path& from, const fs::path& to) {
+  return Fails("rename", ENOSPC) ? -1 : ::rename(from.c_str(), to.c_str());
 }
 
 }  // namespace cvo

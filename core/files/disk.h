@@ -8,10 +8,10 @@
 #include <string_view>
 
 // The system calls that results and caches depend on, in one place so that a test can make each of
-// them fail. With CLUSTERVO_FAULT=<kind>,<n>,<file> in the environment, the n-th call (from 1) has
-// a fault. Calls are counted over all processes that share <file>, a counter of 8 bytes. The kinds
-// of fault are "fail" (no space; an I/O error for a read), "short" (only half of the bytes are
-// written or read) and "kill" (the process is killed before the call).
+// them fail. With CLUSTERVO_FAULT=<fault>,<call>,<n>,<file> in the environment, the n-th call (from
+// 1) of a kind ("open", "read", "write", "sync", "rename", "link") has a fault. Calls are counted
+// over all processes that share <file>, a counter of 8 bytes. A fault is "fail" (no space; an I/O
+// error for a read), "short" (half of the bytes are written or read) or "kill" (of the process).
 namespace cvo {
 
 // Throws Error "<file>: cannot <action>: <the system's reason>".
@@ -45,6 +45,5 @@ std::ptrdiff_t ReadUpTo(const FileDescriptor& from, char* bytes, std::size_t cou
 // Each returns zero, or a negative value with errno set.
 int SyncFile(const FileDescriptor& file);
 int RenameFile(const std::filesystem::path& from, const std::filesystem::path& to);
-int LinkFile(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace cvo

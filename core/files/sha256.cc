@@ -9,40 +9,25 @@
 #include "core/base/error.h"
 
 namespace cvo {
+namespace {
 
-struct Sha256::State {
-  EVP_MD_CTX* context = EVP_MD_CTX_new();
-  bool ended = false;
+void Check(bool done) { Require(done, "SHA-256: OpenSSL failed"); }
 
-  State() = default;
-  ~State() { EVP_MD_CTX_free(context); }
-  State(const State&) = delete;
-  State& operator=(const State&) = delete;
-};
+}  // namespace
 
-Sha256::Sha256() : state_(std::make_unique<State>()) {
-  Require(
-      state_->context != nullptr && EVP_DigestInit_ex(state_->context, EVP_sha256(), nullptr) == 1,
-      "SHA-256: OpenSSL does not offer it");
+Sha256::Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+  Check(context_ != nullptr && EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) == 1);
 }
 
-Sha256::~Sha256() = default;
-Sha256::Sha256(Sha256&&) noexcept = default;
-Sha256& Sha256::operator=(Sha256&&) noexcept = default;
-
 void Sha256::Add(std::string_view bytes) {
-  Require(!state_->ended, "SHA-256: the hash has ended");
-  Require(EVP_DigestUpdate(state_->context, bytes.data(), bytes.size()) == 1,
-          "SHA-256: OpenSSL failed");
+  Check(context_ != nullptr && EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size()) == 1);
 }
 
 std::string Sha256::Hex() {
-  Require(!state_->ended, "SHA-256: the hash has ended");
-  state_->ended = true;
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned int size = 0;
-  Require(EVP_DigestFinal_ex(state_->context, digest.data(), &size) == 1,
-          "SHA-256: OpenSSL failed");
+  Check(context_ != nullptr && EVP_DigestFinal_ex(context_.get(), digest.data(), &size) == 1);
+  context_.reset();
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string hex;
   for (unsigned int i = 0; i < size; ++i) {

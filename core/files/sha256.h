@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+struct evp_md_ctx_st;  // of OpenSSL
+
 namespace cvo {
 
 // Number of hexadecimal digits of a SHA-256.
@@ -18,17 +20,13 @@ inline constexpr const char* kChecksumSuffix = ".sha256";
 class Sha256 {
  public:
   Sha256();
-  ~Sha256();
-  Sha256(Sha256&&) noexcept;
-  Sha256& operator=(Sha256&&) noexcept;
 
   void Add(std::string_view bytes);
   // Finishes the hash: must be called once, last.
   std::string Hex();
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
 std::string Sha256Hex(std::string_view bytes);

@@ -8,10 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "core/association/image_box.h"
+#include "core/association/box_association.h"
 #include "core/base/ids.h"
+#include "core/base/stage_times.h"
+#include "core/base/task_pool.h"
 #include "core/features/stereo_feature.h"
 #include "core/geometry/rigid_transform.h"
+#include "core/geometry/stereo_camera.h"
+#include "core/interface/options.h"
 #include "core/solvers/window_solver.h"
 
 namespace cvo {
@@ -144,6 +148,47 @@ struct FrameReport {
   double mean_error_px = 0.0;
   std::vector<ClusterReport> clusters;    // live clusters, sorted by id
   std::vector<LandmarkReport> landmarks;  // observed in the frame, static ones included, by feature
+};
+
+struct OdometrySetup {
+  StereoCamera camera;
+  Options options;
+  std::uint64_t seed = 0;  // of the estimator's random draws (RANSAC)
+};
+
+// A cluster in one frame. Pose and velocity are the latest estimates, everything else is as
+// reported when the frame arrived. All of it is relative to the current object frame.
+struct ClusterPose : ClusterReport {
+  std::int64_t frame = 0;  // index from the first processed frame, counting skipped ones
+  std::int64_t timestamp_ns = 0;
+};
+
+struct ClusterTrajectory {
+  ClusterId id;
+  std::string category;
+  // Sorted by frame: one pose per frame in which the cluster was live, including frames before it
+  // was confirmed and earlier frames to which it was traced back (METHOD.md 6.6).
+  std::vector<ClusterPose> poses;
+};
+
+// Interface of the estimator. Virtual dispatch occurs only here, once per frame.
+class Odometry {
+ public:
+  virtual ~Odometry() = default;
+
+  // Processes one stereo frame and returns its report. Timestamps must increase strictly: throws
+  // Error otherwise.
+  virtual FrameReport Process(const StereoFrame& frame, StageTimes& times) = 0;
+
+  // Processes a frame whose images are missing: predicts the camera and leaves the map unchanged.
+  virtual FrameReport Skip(std::int64_t timestamp_ns) = 0;
+
+  // Returns world_from_camera of every frame so far, including skipped ones. A frame keeps the pose
+  // it had when it left the temporal track, |T_t| frames after it arrived.
+  virtual std::vector<RigidTransform> Trajectory() const = 0;
+
+  // Returns every cluster that was ever reported, including archived ones, sorted by id.
+  virtual std::vector<ClusterTrajectory> ClusterTrajectories() const = 0;
 };
 
 }  // namespace cvo

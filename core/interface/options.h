@@ -3,21 +3,17 @@
 #pragma once
 
 #include "core/association/cluster_association_options.h"
-#include "core/association/projected_matching.h"
+#include "core/association/matching.h"
 #include "core/base/options.h"
+#include "core/clustering/crf_options.h"
 #include "core/clustering/label_matching.h"
-#include "core/clustering/pairwise_options.h"
 #include "core/clustering/point_extent.h"
-#include "core/clustering/unary_options.h"
-#include "core/estimation/window_policies.h"
+#include "core/estimation/double_track.h"
 #include "core/features/options.h"
 #include "core/interface/body_box_options.h"
-#include "core/interface/box_center_options.h"
 #include "core/interface/cluster_options.h"
-#include "core/interface/identity_options.h"
-#include "core/interface/tracking_options.h"
-#include "core/solvers/measurement_noise.h"
 #include "core/solvers/motion_prior.h"
+#include "core/solvers/reprojection_cost.h"
 #include "core/solvers/window_solver.h"
 
 namespace cvo {

@@ -4,8 +4,191 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace cvo {
+
+namespace {
+
+// Points of the static scene may be at infinity or, by noise, beyond it. Smaller disparities are
+// raised to this value.
+constexpr double kLeastDisparity_px = 0.1;
+
+// Frames before the current one, oldest first; null if the window does not contain the frame.
+using PastFrames = std::vector<const WindowFrame*>;
+
+PastFrames FindPastFrames(const Window& window, int frames) {
+  PastFrames past(static_cast<std::size_t>(frames));
+  if (window.temporal.empty()) return past;
+  const std::int64_t newest = window.temporal.back().id.value;
+  for (int k = 0; k < frames; ++k) {
+    past[k] = window.Find(FrameId{newest - (frames - 1) + k});
+  }
+  return past;
+}
+
+CrfNode MakeNode(const FrameView& view, const FeatureNoise& noise, const FramePoint& point,
+                 const Landmark* landmark, const PastFrames& past, const LabelSceneSteps& steps) {
+  const StereoFeature& feature = view.frame.features[point.feature];
+  CrfNode node;
+  node.z_px = feature.z_px;
+  node.z_px[2] -= std::max(0.0, kLeastDisparity_px - view.camera.Disparity(feature.z_px));
+  if (const auto p = view.camera.BackProject(node.z_px)) node.p_in_camera = *p;
+  node.covariance_m2 = view.camera.PointCovariance(node.z_px, noise.Covariance(feature.octave));
+  for (int k = 0; landmark && k < static_cast<int>(past.size()); ++k) {
+    const Observation* seen = past[k] ? FindObservation(*landmark, past[k]->id) : nullptr;
+    if (!seen || !steps.takes_past(k)) continue;
+    node.past = CrfNode::Past{k, seen->z_px, noise.Covariance(seen->octave)};
+    break;
+  }
+  return node;
+}
+
+// Returns past_camera_from_object(then) * object_from_camera(now) for each past frame.
+std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, PointOwner owner,
+                                                       const RigidTransform& world_from_object,
+                                                       const ClusterMap& map,
+                                                       const PastFrames& past) {
+  std::vector<std::optional<RigidTransform>> transforms(past.size());
+  const RigidTransform object_from_camera = world_from_object.Inverse() * view.world_from_camera;
+  for (std::size_t k = 0; k < past.size(); ++k) {
+    if (!past[k]) continue;
+    const auto then = OwnerPose(owner, past[k]->id, map);
+    if (then) transforms[k] = past[k]->world_from_camera.Inverse() * *then * object_from_camera;
+  }
+  return transforms;
+}
+
+// Raises the half sides to at least `box_half_size` of the mean side of the box: a body fills its
+// box even if all its landmarks so far are on one part of it.
+void GrowToBox(const StereoCamera& camera, double box_half_size, const ImageBox& box,
+               CrfLabel::Extent& extent) {
+  const double side_px = 0.5 * (box.Width() + box.Height());
+  const double side_m = extent.center_in_camera.z() * side_px / camera.fx;
+  extent.half_size_m = extent.half_size_m.cwiseMax(box_half_size * side_m);
+}
+
+CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int q,
+                      const ClusterMap& map, const ClusterTrack& track, const PastFrames& past) {
+  const Cluster& cluster = map.live[q];
+  const RigidTransform camera_from_object =
+      view.world_from_camera.Inverse() * track.world_from_object;
+  CrfLabel label;
+  label.kind = LabelKind::kCluster;
+  if (track.detection >= 0) {
+    label.box = view.shown.detections[track.detection].box;
+  } else if (track.box.Width() > 0.0) {
+    label.predicted_box = track.box;
+  }
+  label.extent = CrfLabel::Extent{camera_from_object * cluster.center_in_object,
+                                  camera_from_object.RotationMatrix(), cluster.half_size_m};
+  const auto& box = label.box ? label.box : label.predicted_box;
+  if (box) GrowToBox(view.camera, options.box_half_size, *box, *label.extent);
+  label.past_from_now.resize(past.size());
+  if (track.is_tracked) {
+    label.past_from_now = PastFromNow(view, ClusterOwner(q), track.world_from_object, map, past);
+  }
+  return label;
+}
+
+// Adds a label for each body that occurs in the given labels of features and has no label yet.
+void AddGivenBodies(const FrameView& view, const PastFrames& past, LabelScene& scene) {
+  const std::span<const BodyId> bodies = view.shown.feature_body;
+  for (const BodyId body : std::set<BodyId>(bodies.begin(), bodies.end())) {
+    const auto known = std::find(scene.given_body.begin(), scene.given_body.end(), body);
+    if (body <= kStaticBody || known != scene.given_body.end()) continue;
+    CrfLabel label;
+    label.kind = LabelKind::kNewBox;
+    label.past_from_now.resize(past.size());
+    scene.crf.labels.push_back(label);
+    scene.detection.push_back(-1);
+    scene.given_body.push_back(body);
+  }
+}
+
+// Whether the detection shows a part of a body that is whole in the box of a cluster: detectors
+// sometimes report both. `body` is what would be born from it.
+bool IsPartOfCluster(const FrameView& view, double part_share, int detection,
+                     const CrfLabel::Extent& body, const std::vector<ClusterTrack>& tracks,
+                     const LabelScene& scene) {
+  constexpr double kDeepestSides = 2.0;  // depth of a body relative to the sides of its box
+  const Detection& part = view.shown.detections[detection];
+  for (int q = 0; q < scene.clusters; ++q) {
+    if (tracks[q].detection < 0) continue;
+    const Detection& whole = view.shown.detections[tracks[q].detection];
+    if (whole.category != part.category || ShareInside(part.box, whole.box) < part_share) continue;
+    const double depth_m = scene.crf.labels[1 + q].extent->center_in_camera.z();
+    const double side_m =
+        depth_m * std::max(whole.box.Width(), whole.box.Height()) / view.camera.fx;
+    if (std::abs(body.center_in_camera.z() - depth_m) < kDeepestSides * side_m) return true;
+  }
+  return false;
+}
+
+// Returns camera_from_object of the body that owns the point's landmark.
+RigidTransform OwnerInCamera(const FrameView& view, const FramePoint& point,
+                             const std::vector<ClusterTrack>& tracks) {
+  const RigidTransform camera_from_world = view.world_from_camera.Inverse();
+  if (point.owner.kind != PointOwner::Kind::kCluster) return camera_from_world;
+  return camera_from_world * tracks[point.owner.cluster].world_from_object;
+}
+
+}  // namespace
+
+LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& options,
+                           const Window& window, const ClusterMap& map,
+                           const std::vector<ClusterTrack>& tracks,
+                           const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
+  const PastFrames past = FindPastFrames(window, options.past_frames);
+  LabelScene scene;
+  scene.crf.camera = view.camera;
+  for (const FramePoint& point : points) {
+    const Landmark* landmark = FindLandmark(point, window, map);
+    scene.crf.nodes.push_back(MakeNode(view, options.noise, point, landmark, past, steps));
+    if (!landmark) continue;
+    scene.crf.nodes.back().estimate = steps.place(OwnerInCamera(view, point, tracks), *landmark);
+  }
+  CrfLabel still;
+  still.kind = LabelKind::kStatic;
+  still.past_from_now = PastFromNow(view, kSceneOwner, RigidTransform(), map, past);
+  scene.crf.labels.push_back(still);
+
+  std::vector<char> is_claimed(view.shown.detections.size(), 0);
+  scene.clusters = static_cast<int>(tracks.size());
+  scene.detection.push_back(-1);
+  for (int q = 0; q < scene.clusters; ++q) {
+    scene.crf.labels.push_back(ClusterLabel(view, options.clusters, q, map, tracks[q], past));
+    scene.detection.push_back(tracks[q].detection);
+    if (tracks[q].detection >= 0) is_claimed[tracks[q].detection] = 1;
+  }
+  scene.given_body.push_back(kStaticBody);
+  for (const Cluster& cluster : map.live) scene.given_body.push_back(cluster.given_body);
+  const std::vector<std::optional<CrfLabel::Extent>> bodies =
+      FindNewBodies(view, {steps.new_body, options.extent, options.unary.box_shrink}, is_claimed,
+                    points, scene.crf.nodes);
+  for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
+    if (!bodies[m]) continue;
+    if (IsPartOfCluster(view, options.extent.part_share, m, *bodies[m], tracks, scene)) continue;
+    CrfLabel label;
+    label.kind = LabelKind::kNewBox;
+    label.box = view.shown.detections[m].box;
+    label.extent = bodies[m];
+    label.past_from_now.resize(past.size());
+    scene.crf.labels.push_back(label);
+    scene.detection.push_back(m);
+    const std::span<const BodyId> given = view.shown.detection_body;
+    scene.given_body.push_back(given.empty() ? BodyId() : given[m]);
+  }
+  AddGivenBodies(view, past, scene);
+  CrfLabel outlier;
+  outlier.kind = LabelKind::kOutlier;
+  outlier.past_from_now.resize(past.size());
+  scene.crf.labels.push_back(outlier);
+  scene.detection.push_back(-1);
+  scene.given_body.push_back(BodyId());
+  return scene;
+}
+
 namespace internal {
 
 std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,

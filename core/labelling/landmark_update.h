@@ -2,9 +2,42 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
+
+#include "core/bodies/body_boxes.h"
 #include "core/labelling/cluster_labels.h"
 
 namespace cvo {
+
+// Where the object frame of a new cluster has its origin, given the centre (median) of its points
+// and the centre estimated from its box, both in world.
+template <typename Policy>
+concept BirthOriginPolicy = requires(const Eigen::Vector3d& point) {
+  { Policy::Origin(point, point) } -> std::same_as<Eigen::Vector3d>;
+};
+
+// Policy: on the ray through the centre of the box, behind the visible surface (METHOD.md 6.1,
+// clusters.birth_depth).
+struct OriginBehindBox {
+  static Eigen::Vector3d Origin(const Eigen::Vector3d&, const Eigen::Vector3d& box_center) {
+    return box_center;
+  }
+};
+// Policy: at the centre of the points, on the visible surface, as in the paper.
+struct OriginAtCentroid {
+  static Eigen::Vector3d Origin(const Eigen::Vector3d& centroid, const Eigen::Vector3d&) {
+    return centroid;
+  }
+};
+
+using BirthOriginFunction = Eigen::Vector3d (*)(const Eigen::Vector3d& centroid,
+                                                const Eigen::Vector3d& box_center);
+
+// Creates the clusters that are born from the frame's labels. They are at rest, their axes are the
+// principal axes of their points, and they have no landmarks yet.
+void CreateClusters(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
+                    const std::vector<FramePoint>& points, const FrameLabels& labels,
+                    BirthOriginFunction origin, ClusterMap& map);
 
 // Options of UpdateLandmarks.
 struct LandmarkUpdateOptions {

@@ -2,21 +2,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "core/association/feature_grid.h"
-#include "core/association/match.h"
-#include "core/association/projected_matching.h"
+#include "core/association/matching.h"
 #include "core/base/rng.h"
 #include "core/estimation/window.h"
 #include "core/features/options.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
-#include "core/interface/tracking_options.h"
-#include "core/solvers/measurement_noise.h"
+#include "core/interface/cluster_options.h"
+#include "core/solvers/reprojection_cost.h"
 
 namespace cvo {
+
+// Constant-velocity model of the camera in its own frame, rad/s and m/s, from the last two poses.
+class MotionModel {
+ public:
+  // Sets the pose of the camera at a time; timestamps must increase.
+  void Update(std::int64_t timestamp_ns, const RigidTransform& world_from_camera);
+  // Predicts the pose of the camera; the identity before the first update.
+  RigidTransform Predict(std::int64_t timestamp_ns) const;
+  bool HasVelocity() const { return updates_ > 1; }
+
+ private:
+  int updates_ = 0;
+  std::int64_t timestamp_ns_ = 0;
+  RigidTransform world_from_camera_;
+  // [rotation, translation] of previous_camera_from_camera, per second.
+  Vector6d velocity_ = Vector6d::Zero();
+};
 
 // Options that camera tracking reads.
 struct CameraTrackingOptions {

@@ -2,26 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/association/feature_grid.h"
+#include "core/association/matching.h"
 #include "core/base/rng.h"
 #include "core/bodies/body_boxes.h"
-#include "core/bodies/ground_direction.h"
+#include "core/bodies/body_place.h"
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_optimization.h"
-#include "core/clusters/cluster_pose.h"
-#include "core/clusters/settled_poses.h"
+#include "core/clusters/cluster_prediction.h"
+#include "core/clusters/identity.h"
 #include "core/clusters/trace_back.h"
-#include "core/clusters/undetected_clusters.h"
 #include "core/estimation/double_track.h"
-#include "core/interface/odometry.h"
-#include "core/labelling/cluster_birth.h"
+#include "core/interface/frame.h"
 #include "core/labelling/cluster_labels.h"
 #include "core/labelling/landmark_update.h"
 #include "core/odometry/axes.h"
 #include "core/odometry/camera_tracking.h"
 #include "core/odometry/cluster_update.h"
-#include "core/odometry/motion_model.h"
-#include "core/odometry/window_optimization.h"
 
 namespace cvo {
 
@@ -179,10 +175,6 @@ class VisualOdometry final : public Odometry {
 
   std::vector<ClusterTrajectory> ClusterTrajectories() const override {
     return ConfirmedTrajectories(clusters_, options_.clusters);
-  }
-
-  std::vector<ClusterTrajectory> TakeSettledPoses() override {
-    return cvo::TakeSettledPoses(window_, options_.clusters, clusters_);
   }
 
  private:

@@ -5,11 +5,11 @@
 #include <array>
 
 #include "core/base/error.h"
-#include "core/solvers/motion_prior_cost.h"
-#include "core/solvers/schur_minimizer.h"
-#include "core/solvers/schur_reprojection.h"
+#include "core/solvers/motion_prior.h"
+#include "core/solvers/schur_solver.h"
 
 namespace cvo {
+
 namespace {
 
 void CheckFrames(const ClusterProblem& problem) {

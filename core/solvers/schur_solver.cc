@@ -7,6 +7,7 @@
 #include <cmath>
 
 namespace cvo {
+
 namespace {
 
 // Lower bound of the diagonal that is damped: an unconstrained variable keeps its value, and its

@@ -5,11 +5,19 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/solvers/schur_minimizer.h"
-#include "core/solvers/schur_prior.h"
-#include "core/solvers/schur_reprojection.h"
+#include "core/solvers/schur_equations.h"
+#include "core/solvers/schur_solver.h"
 
 namespace cvo {
+
+WindowPrior CalibrationPrior(const StereoCamera& camera, const Vector6d& deviation_px) {
+  WindowPrior prior;
+  prior.right_field_point_px = camera.right_field_px;
+  prior.J0 = deviation_px.cwiseInverse().asDiagonal();
+  prior.r0 = Eigen::VectorXd::Zero(deviation_px.size());
+  return prior;
+}
+
 namespace {
 
 struct WindowVariables {

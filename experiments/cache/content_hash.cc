@@ -3,7 +3,7 @@
 #include "experiments/cache/content_hash.h"
 
 #include "core/base/error.h"
-#include "core/files/json/json_rows.h"
+#include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 
@@ -32,11 +32,6 @@ Json CameraNumbers(const StereoCamera& camera) {
 
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images) {
   Require(images.size() == sequence.images.size(), "ContentHash: one entry per frame");
-  return ContentHash(sequence, [&images](std::size_t frame) { return images[frame]; });
-}
-
-std::string ContentHash(const Sequence& sequence,
-                        const std::function<ImageHashes(std::size_t frame)>& images) {
   Json other_files = Json::array();
   for (const std::filesystem::path& file : sequence.other_files) {
     other_files.push_back(Sha256Hex(ReadFileBytes(file)));
@@ -58,9 +53,9 @@ std::string ContentHash(const Sequence& sequence,
   Sha256 hash;
   std::size_t frame = 0;
   const auto next = [&](Json& row) {
-    if (frame == sequence.images.size()) return false;
-    const ImageHashes pair = images(frame++);
-    row = Json::array({pair.left, pair.right});
+    if (frame == images.size()) return false;
+    row = Json::array({images[frame].left, images[frame].right});
+    ++frame;
     return true;
   };
   DumpJsonWithRows(

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,9 +20,6 @@ struct ImageHashes {
 // parameters of the sequence, but not their location. `images` has one element per frame of the
 // sequence.
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images);
-// The same, with the hashes taken frame by frame so that only those of one frame are in memory.
-std::string ContentHash(const Sequence& sequence,
-                        const std::function<ImageHashes(std::size_t frame)>& images);
 
 // Returns the parameters of the camera in the order of their declaration, without right_field_px,
 // which is an estimate and not an input.

@@ -2,105 +2,125 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cache/file_hashes.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <exception>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/files/json/json.h"
-#include "experiments/cache/hash_index.h"
+#include "core/files/atomic_file.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::int64_t kRacy_ns = 2'000'000'000;  // the coarsest resolution of timestamps in use
+constexpr std::int64_t kRacy_ns = 2'000'000'000;     // the coarsest resolution of timestamps in use
+constexpr std::uint64_t kLimit_bytes = 256'000'000;  // of the hashes of all lists
 
-struct UnknownFile {
-  const fs::path* file;
-  std::string* sha256;
-  FileStamp stamp;  // before it was read
+// What the file system states about files: with the same key they have the same bytes.
+struct Stamps {
+  std::string key;
+  std::int64_t newest_ns = 0;  // last change of any of them
 };
 
-class FileHasher {
- public:
-  FileHasher(fs::path index_folder, const FileHashHooks& hooks)
-      : index_folder_(std::move(index_folder)), hooks_(hooks) {}
+std::int64_t Nanoseconds(const timespec& time) {
+  return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
 
-  std::string Lookup(const fs::path& file, const FileStamp& stamp) {
-    return IndexOf(file).Find(file.filename().string(), stamp);
-  }
-
-  void HashAll(const std::vector<UnknownFile>& files, TaskPool& pool) {
-    const std::int64_t start_ns = hooks_.now_ns();
-    std::mutex mutex;
-    std::size_t done = 0;
-    pool.ParallelFor(static_cast<int>(files.size()), [&](int i) {
-      const UnknownFile& unknown = files[static_cast<std::size_t>(i)];
-      *unknown.sha256 = HashFile(*unknown.file);
-      const std::lock_guard lock(mutex);
-      hooks_.hashed(++done, files.size());
-    });
-    for (const UnknownFile& unknown : files) Keep(unknown, start_ns);
-    for (const auto& [folder, index] : indices_) Save(index);
-  }
-
- private:
-  HashIndex& IndexOf(const fs::path& file) {
-    const fs::path folder = file.parent_path();
-    return indices_.try_emplace(folder, index_folder_, folder, hooks_.notice).first->second;
-  }
-
-  void Keep(const UnknownFile& unknown, std::int64_t start_ns) {
-    const auto& [file, sha256, stamp] = unknown;
-    const bool settled = std::max(stamp.modified_ns, stamp.changed_ns) + kRacy_ns <= start_ns;
-    if (sha256->empty() || !settled || StampOf(*file) != stamp) return;
-    IndexOf(*file).Add(file->filename().string(), stamp, *sha256);
-  }
-
-  void Save(const HashIndex& index) const {
-    try {
-      index.Save();
-    } catch (const std::exception& error) {
-      hooks_.notice(StrCat("file hashes are not kept for other runs: ", error.what()));
+Stamps StampsOf(const std::vector<fs::path>& files) {
+  Stamps stamps;
+  std::string text;
+  for (const fs::path& file : files) {
+    text += fs::absolute(file).lexically_normal().string();
+    struct stat status {};
+    if (::stat(file.c_str(), &status) == 0) {
+      // The time of the last change of content, name or permissions cannot be set back.
+      const std::int64_t modified_ns = Nanoseconds(status.st_mtim);
+      const std::int64_t changed_ns = Nanoseconds(status.st_ctim);
+      stamps.newest_ns = std::max({stamps.newest_ns, modified_ns, changed_ns});
+      text += StrCat('\0', status.st_size, ' ', modified_ns, ' ', changed_ns, ' ', status.st_ino);
     }
+    text += '\0';
   }
+  stamps.key = Sha256Hex(text);
+  return stamps;
+}
 
-  fs::path index_folder_;
-  const FileHashHooks& hooks_;
-  std::map<fs::path, HashIndex> indices_;
-};
+// The file with hashes has one line per hash, and one with the hash of all of these lines.
+std::string Kept(const std::vector<std::string>& hashes) {
+  std::string lines;
+  for (const std::string& hash : hashes) lines += hash + "\n";
+  return lines + Sha256Hex(lines) + "\n";
+}
+
+// Empty if there are none, or if they are damaged.
+std::optional<std::vector<std::string>> ReadKept(const fs::path& file, std::size_t count) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
+  try {
+    const std::string bytes = ReadFileBytes(file);
+    std::vector<std::string> hashes;
+    for (std::size_t begin = 0; begin < bytes.size() && hashes.size() < count;) {
+      const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+      hashes.push_back(bytes.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    if (hashes.size() != count || Kept(hashes) != bytes) return std::nullopt;
+    MarkUsed(file);
+    return hashes;
+  } catch (const Error&) {
+    return std::nullopt;  // another process has removed the file
+  }
+}
 
 }  // namespace
 
-std::vector<std::string> FindFileHashes(const std::vector<fs::path>& files,
-                                        const fs::path& index_folder, TaskPool& pool,
-                                        const FileHashHooks& hooks) {
-  std::vector<std::string> hashes(files.size());
-  FileHasher hasher(index_folder, hooks);
-  std::vector<UnknownFile> unknown;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::optional<FileStamp> stamp = StampOf(files[i]);
-    if (!stamp) continue;  // no file, no hash
-    hashes[i] = hasher.Lookup(files[i], *stamp);
-    if (hashes[i].empty()) unknown.push_back({&files[i], &hashes[i], *stamp});
+std::vector<std::string> FindFileHashes(const std::vector<fs::path>& files, const fs::path& folder,
+                                        TaskPool& pool, const FileHashHooks& hooks) {
+  const Stamps stamps = StampsOf(files);
+  const std::string name = stamps.key + ".txt";
+  if (!folder.empty()) {
+    if (auto kept = ReadKept(folder / name, files.size())) return *std::move(kept);
   }
-  if (!unknown.empty()) hasher.HashAll(unknown, pool);
+  const std::int64_t start_ns = hooks.now_ns();
+  std::vector<std::string> hashes(files.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  pool.ParallelFor(static_cast<int>(files.size()), [&](int i) {
+    const auto index = static_cast<std::size_t>(i);
+    hashes[index] = HashFile(files[index]);
+    const std::lock_guard lock(mutex);
+    hooks.hashed(++done, files.size());
+  });
+  const bool settled = stamps.newest_ns + kRacy_ns <= start_ns && StampsOf(files).key == stamps.key;
+  if (folder.empty() || !settled) return hashes;
+  try {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    WriteFilesAtomically(folder, {{name, Kept(hashes)}});
+    TrimFolder(folder, kLimit_bytes);
+  } catch (const std::exception& error) {
+    hooks.notice(StrCat("file hashes are not kept for other runs: ", error.what()));
+  }
   return hashes;
 }
 
-std::vector<ImageHashes> FindImageHashes(const Sequence& sequence, const fs::path& index_folder,
+std::vector<ImageHashes> FindImageHashes(const Sequence& sequence, const fs::path& folder,
                                          TaskPool& pool, const FileHashHooks& hooks) {
   std::vector<fs::path> files;
   for (const StereoPaths& pair : sequence.images) {
     files.push_back(pair.left);
     files.push_back(pair.right);
   }
-  std::vector<std::string> hashes = FindFileHashes(files, index_folder, pool, hooks);
+  std::vector<std::string> hashes = FindFileHashes(files, folder, pool, hooks);
   std::vector<ImageHashes> images;
   for (std::size_t i = 0; i < hashes.size(); i += 2) {
     images.push_back({std::move(hashes[i]), std::move(hashes[i + 1])});

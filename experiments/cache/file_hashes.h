@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/task_pool.h"
-#include "experiments/cache/cache_size.h"
+#include "experiments/cache/cache_folder.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/datasets/sequence.h"
 
@@ -17,7 +17,7 @@ namespace cvo {
 
 struct FileHashHooks {
   Notice notice = [](const std::string&) {};
-  // Called with the number of files read so far, of those that have to be read.
+  // Called with the number of files read so far, if they have to be read.
   std::function<void(std::size_t done, std::size_t total)> hashed = [](std::size_t, std::size_t) {};
   // Wall-clock time, as in the timestamps of files.
   std::function<std::int64_t()> now_ns = [] {
@@ -25,17 +25,17 @@ struct FileHashHooks {
   };
 };
 
-// Returns the SHA-256 of each file; empty if there is no such regular file. Does not read files
-// whose hash is known from the index in `index_folder` (empty: no index). Adds the hashes of the
-// others to the index, except for files changed within the last two seconds, whose timestamp may
-// not reveal another change. An unusable index only costs time. Throws Error for a file that cannot
+// Returns the SHA-256 of each file; empty if there is no such regular file. The hashes of this list
+// of files are kept in `folder` (empty: nowhere): if no file has changed since, none is read. They
+// are not kept if a file has changed within the last two seconds, as its timestamp may not reveal
+// another change. Damaged or unwritable hashes only cost time. Throws Error for a file that cannot
 // be read.
 std::vector<std::string> FindFileHashes(const std::vector<std::filesystem::path>& files,
-                                        const std::filesystem::path& index_folder, TaskPool& pool,
+                                        const std::filesystem::path& folder, TaskPool& pool,
                                         const FileHashHooks& hooks = {});
 // Returns the hashes of a sequence's images, for ContentHash.
 std::vector<ImageHashes> FindImageHashes(const Sequence& sequence,
-                                         const std::filesystem::path& index_folder, TaskPool& pool,
+                                         const std::filesystem::path& folder, TaskPool& pool,
                                          const FileHashHooks& hooks = {});
 
 }  // namespace cvo

@@ -8,15 +8,34 @@
 #include <opencv2/core/types.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/features/options.h"
+#include "core/features/stereo_feature.h"
+#include "core/files/atomic_file.h"
+#include "core/files/disk.h"
 #include "core/geometry/stereo_camera.h"
-#include "experiments/cache/cache_size.h"
+#include "experiments/cache/cache_folder.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/cache/feature_file.h"
 
 namespace cvo {
+
+// An image of a pair that cannot be decoded.
+struct SideProblem {
+  int side = 0;        // 0 left, 1 right
+  std::string reason;  // what was found and what was expected, without the path
+};
+
+// The output of the front end for the pixels of one stereo pair.
+struct FrontEndFrame {
+  std::vector<StereoFeature> features;
+  std::vector<SideProblem> problems;  // if not empty, there are no features
+};
+
+// Encodes the frame with every number exact. DecodeFrame throws Error for any other bytes.
+std::string EncodeFrame(const FrontEndFrame& frame);
+FrontEndFrame DecodeFrame(std::string_view bytes);
 
 // What determines the output of the front end, besides the images.
 struct FrontEndSettings {
@@ -34,25 +53,38 @@ struct FrontEndSettings {
 // file contents do not determine the output then.
 std::string FrontEndKey(const FrontEndSettings& settings, const std::vector<ImageHashes>& images);
 
-// Records the frames of a sequence for the cache. An error ends the recording with a notice, and
-// has no other effect.
-class FrontEndRecording {
+// An entry of the cache that is read: for each frame its size, its SHA-256 and its bytes.
+class FeatureFile {
  public:
-  FrontEndRecording(std::filesystem::path folder, std::uint64_t limit_bytes, Notice notice);
+  // Throws Error if the file cannot be opened.
+  explicit FeatureFile(std::filesystem::path path);
 
-  void Add(const FrontEndFrame& frame);
-  // Adds the first frames of a file that was found damaged after them.
-  void AddFrames(const FeatureFile& file, std::size_t count);
-  // Publishes the entry. Without this call, or with an empty key, there is no entry.
-  void Finish(const std::string& key);
+  // Reads the next frame. Throws Error if its bytes are not those that were written.
+  FrontEndFrame Next();
 
  private:
-  void StopRecording(const std::string& reason);
+  std::string Read(std::uint64_t count);
 
-  std::filesystem::path folder_;
+  std::filesystem::path path_;
+  FileDescriptor file_;
+  std::uint64_t offset_ = 0;
+};
+
+// Records the frames of a sequence for the cache. An error ends the recording with a notice, and
+// has no other effect. Without Finish there is no entry.
+class FeatureRecording {
+ public:
+  FeatureRecording(const std::filesystem::path& file, std::uint64_t limit_bytes, Notice notice);
+
+  void Add(const FrontEndFrame& frame);
+  void Finish();
+
+ private:
+  void Stop(const std::string& reason);
+
   std::uint64_t limit_bytes_;
   Notice notice_;
-  std::unique_ptr<FeatureFileWriter> writer_;  // null: not recording
+  std::optional<StagedFile> file_;  // empty: not recording
 };
 
 // Front-end output of whole sequences, in a folder that any number of processes may use at once.
@@ -63,12 +95,17 @@ class FrontEndCache {
   // Removes the least recently used files beyond `limit_bytes`. 0: nothing is kept.
   FrontEndCache(std::filesystem::path folder, std::uint64_t limit_bytes, Notice notice);
 
-  std::optional<FeatureFile> Find(const std::string& key, std::size_t frames) const;
+  // Empty if there is no entry, and always for an empty key.
+  std::optional<FeatureFile> Find(const std::string& key) const;
   // Removes an entry that was found damaged on reading.
   void Remove(const std::string& key, const std::string& reason) const;
-  FrontEndRecording Record() const { return {folder_, limit_bytes_, notice_}; }
+  FeatureRecording Record(const std::string& key) const;
 
  private:
+  std::filesystem::path FileOf(const std::string& key) const {
+    return folder_ / (key + ".features");
+  }
+
   std::filesystem::path folder_;
   std::uint64_t limit_bytes_;
   Notice notice_;

@@ -6,17 +6,43 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/files/json/json_record.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/calibration/kitti_calibration.h"
-#include "experiments/calibration/yaml_file.h"
 
 namespace cvo {
+namespace fs = std::filesystem;
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostValues = 1000;  // in one list, which aliases could make endless
+
+YAML::Node Parse(const std::filesystem::path& path) {
+  std::string text = ReadFileBytes(path);
+  if (text.size() > kMostBytes) {
+    ThrowError(path.string(), StrCat(text.size(), " bytes"), "a calibration below 1 MB");
+  }
+  if (text.starts_with("%YAML:")) text.erase(0, text.find('\n'));
+  try {
+    return YAML::Load(text);
+  } catch (const YAML::Exception& error) {
+    ThrowError(StrCat(path.string(), ":", error.mark.line + 1), error.msg, "YAML or JSON");
+  }
+}
+
+// Appends the scalars of a node. Returns false if there are too many values.
+bool Collect(const YAML::Node& node, std::size_t& values, std::vector<std::string>& scalars) {
+  if (++values > kMostValues) return false;
+  if (node.IsScalar()) scalars.push_back(node.Scalar());
+  if (!node.IsSequence()) return true;
+  return std::all_of(node.begin(), node.end(),
+                     [&](const YAML::Node& part) { return Collect(part, values, scalars); });
+}
 
 void SetLens(const YamlMap& map, const std::string& key, LensModel lens, LensCamera& camera) {
   camera.lens = lens;
@@ -227,6 +253,75 @@ StereoRig Checked(const StereoRig& rig, const fs::path& path) {
 }
 
 }  // namespace
+
+YamlMap YamlMap::Read(const std::filesystem::path& path) {
+  YAML::Node root = Parse(path);
+  if (!root.IsMap()) ThrowError(path.string(), "no keys", "a calibration with keys and values");
+  return {path.string(), std::move(root)};
+}
+
+void YamlMap::Fail(const std::string& key, const std::string& found,
+                   const std::string& expected) const {
+  ThrowError(where_ + ", " + key, found, expected);
+}
+
+YAML::Node YamlMap::Get(const std::string& key) const {
+  const YAML::Node node = node_[key];
+  if (!node) Fail(key, "nothing", "a value");
+  return node;
+}
+
+YamlMap YamlMap::Map(const std::string& key) const {
+  YAML::Node node = Get(key);
+  if (!node.IsMap()) Fail(key, "no keys", "keys and values");
+  return {where_ + ", " + key, std::move(node)};
+}
+
+double YamlMap::Number(const std::string& key) const { return Numbers(key, 1).front(); }
+
+std::string YamlMap::Text(const std::string& key) const {
+  const YAML::Node node = Get(key);
+  if (!node.IsScalar()) Fail(key, "a list or map", "a text");
+  return node.Scalar();
+}
+
+std::vector<double> YamlMap::Numbers(const std::string& key) const {
+  YAML::Node node = Get(key);
+  if (node.IsMap()) {
+    const YAML::Node data = node["data"];
+    if (!data) Fail(key, "keys without data", "a list of numbers, or a matrix with data");
+    node.reset(data);
+  }
+  std::vector<std::string> scalars;
+  std::size_t values = 0;
+  if (!Collect(node, values, scalars)) {
+    Fail(key, StrCat("more than ", kMostValues, " values"), "a list of numbers");
+  }
+  std::vector<double> numbers;
+  for (const std::string& scalar : scalars) {
+    const std::optional<double> number = ParseDouble(scalar);
+    if (!number) Fail(key, Quoted(scalar), "a number");
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+std::vector<double> YamlMap::Numbers(const std::string& key, std::size_t count) const {
+  std::vector<double> numbers = Numbers(key);
+  if (numbers.size() != count) {
+    Fail(key, StrCat(numbers.size(), " numbers"), std::to_string(count));
+  }
+  return numbers;
+}
+
+void YamlMap::AllowOnly(const std::vector<std::string>& keys) const {
+  for (const auto& entry : node_) {
+    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      ThrowError(where_, "key " + Quoted(key) + DidYouMean(key, keys), "a key of a calibration");
+    }
+  }
+}
 
 // Reads a rigid transform from 12 or 16 numbers, row by row. Takes the nearest rotation, because
 // calibrations are written with few digits.

@@ -45,4 +45,12 @@ StereoCamera CameraOf(const StereoRig& rig, int width_px, int height_px);
 // Throws Error, naming `where`, if the calibration states another image size.
 void CheckSize(const StereoRig& rig, int width_px, int height_px, const std::string& where);
 
+// Throws Error, naming `where`, if one focal length is more than twice the other or the principal
+// point is outside the images.
+void CheckCamera(const StereoCamera& camera, const std::string& where);
+
+// Checks both cameras of a rig in the same way, and that the images have the size that the rig
+// states (CheckSize).
+void CheckCameras(const StereoRig& rig, int width_px, int height_px, const std::string& where);
+
 }  // namespace cvo

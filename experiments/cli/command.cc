@@ -10,6 +10,7 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
+#include "experiments/cli/output_file.h"
 #include "experiments/record/build_identity.h"
 
 namespace cvo {
@@ -36,6 +37,14 @@ CLI::Validator OneOf(std::vector<std::string> names) {
                           Joined(names, ", "));
           },
           ""};
+}
+
+void RefuseFlags(const CLI::App& app, const std::vector<std::string>& flags,
+                 const std::string& why) {
+  for (const std::string& flag : flags) {
+    const CLI::Option* option = app.get_option_no_throw(flag);
+    if (option != nullptr && option->count() > 0) throw UsageError(StrCat(flag, ": ", why));
+  }
 }
 
 std::string VersionText() {

@@ -24,15 +24,12 @@ Command AddExperimentCommand(CLI::App& program);
 Command AddCheckCommand(CLI::App& program);
 Command AddReportCommand(CLI::App& program);
 Command AddOverlayCommand(CLI::App& program);
-Command AddFiguresCommand(CLI::App& program);
 Command AddPlotCommand(CLI::App& program);
-Command AddCompareCommand(CLI::App& program);
 Command AddExplainCommand(CLI::App& program);
 Command AddManualCommand(CLI::App& program);
 Command AddImportCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
-Command AddVariantsCommand(CLI::App& program);
-Command AddOptionsCommand(CLI::App& program);
+Command AddListCommand(CLI::App& program);
 
 // Exit codes for missing or failed results, and for wrong usage.
 inline constexpr int kIncomplete = 1;
@@ -49,25 +46,23 @@ std::string FiniteProblem(const std::string& text);
 // unknown name suggests the nearest one.
 CLI::Validator OneOf(std::vector<std::string> names);
 
+// Throws UsageError "--flag: why" if one of these flags was given.
+void RefuseFlags(const CLI::App& app, const std::vector<std::string>& flags,
+                 const std::string& why);
+
 // What `clustervo --version` prints.
 std::string VersionText();
 
+// A subcommand of `clustervo eval`, of its own file.
+Command AddEvalBoxesCommand(CLI::App& eval);
+
 // The subcommands of `clustervo synth`.
-Command AddSynthListCommand(CLI::App& synth);
-Command AddSynthGenerateCommand(CLI::App& synth);
-Command AddSynthDiversityCommand(CLI::App& synth);
 Command AddSynthRenderCommand(CLI::App& synth);
 Command AddSynthPreviewCommand(CLI::App& synth);
-Command AddSynthCheckCommand(CLI::App& synth);
 
 // The subcommands of `clustervo experiment`.
-Command AddExperimentListCommand(CLI::App& experiment);
-Command AddExperimentPlanCommand(CLI::App& experiment);
 Command AddExperimentTableCommand(CLI::App& experiment);
 Command AddExperimentCompareCommand(CLI::App& experiment);
-Command AddExperimentRunCommand(CLI::App& experiment);
 Command AddExperimentStatusCommand(CLI::App& experiment);
-Command AddExperimentTimesCommand(CLI::App& experiment);
-Command AddExperimentJobCommand(CLI::App& experiment);
 
 }  // namespace cvo

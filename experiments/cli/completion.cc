@@ -61,7 +61,7 @@ void ForEachCommand(const std::string& path, const CLI::App& app, const VisitApp
 }
 
 std::vector<const CLI::App*> CommandsBelow(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
+  return app.get_subcommands([](const CLI::App* below) { return !below->get_group().empty(); });
 }
 
 std::string BashCompletion(const CLI::App& program) {

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <fcntl.h>
-#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -9,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <new>
 #include <opencv2/core/utility.hpp>
 #include <string>
@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/message.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text/utf8.h"
 #include "core/files/text_file.h"
@@ -52,6 +51,23 @@ std::string CommandName(const CLI::App& app) {
   return above == nullptr ? app.get_name() : CommandName(*above) + " " + app.get_name();
 }
 
+// Spellings of version 0.2, and what took their place.
+std::string PresentName(const std::string& command, const std::string& word) {
+  static const std::map<std::string, std::string> kPresent = {
+      {"clustervo variants", "list variants"},
+      {"clustervo options", "list options"},
+      {"clustervo eval --estimate", "eval trajectory, eval boxes or eval clock"},
+      {"clustervo synth list", "list scenes"},
+      {"clustervo synth generate", "synth render FAMILY@SEED"},
+      {"clustervo experiment list", "list suites"},
+      {"clustervo experiment plan", "experiment status SUITE -o DIR"},
+      {"clustervo experiment times", "experiment table --times"},
+      {"clustervo compare", "experiment compare"},
+      {"clustervo figures", "plot DIR"}};
+  const auto found = kPresent.find(command + " " + word);
+  return found == kPresent.end() ? "" : ", now clustervo " + found->second;
+}
+
 // Throws UsageError for a word that is not a subcommand where one must be. The parser would only
 // call it unexpected.
 void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
@@ -62,16 +78,21 @@ void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
     const std::string_view word = argv[i];
     if (known.empty() || word.empty() || word.starts_with('-')) return;
     std::vector<std::string> names;
-    for (const CLI::App* command : known) names.push_back(command->get_name());
-    const auto found = std::find(names.begin(), names.end(), word);
-    if (found == names.end()) {
-      const std::string meant = DidYouMean(word, names);
+    for (const CLI::App* command : known) {
+      if (!command->get_group().empty()) names.push_back(command->get_name());
+    }
+    const auto found = std::find_if(known.begin(), known.end(), [&](const CLI::App* command) {
+      return command->get_name() == word;
+    });
+    if (found == known.end()) {
       const std::string command = CommandName(*app);
+      const std::string present = PresentName(command, std::string(word));
+      const std::string meant = present.empty() ? DidYouMean(word, names) : present;
       throw UsageError(StrCat(command, " has no subcommand \"", word, "\"",
                               meant.empty() ? ", expected " + OneOfKnown(word, names) : meant,
                               " (see ", command, " --help)"));
     }
-    app = known[static_cast<std::size_t>(found - names.begin())];
+    app = *found;
   }
 }
 
@@ -94,9 +115,10 @@ void CheckFlags(int argc, char** argv, const CLI::App& program) {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
     if (std::find(names.begin(), names.end(), flag) != names.end()) continue;
-    const std::string meant = DidYouMean(flag, names);
-    if (meant.empty()) continue;  // the value of a flag, or left to ExplainUsage
     const std::string command = CommandName(*app);
+    const std::string present = PresentName(command, flag);
+    const std::string meant = present.empty() ? DidYouMean(flag, names) : present;
+    if (meant.empty()) continue;  // the value of a flag, or left to ExplainUsage
     throw UsageError(StrCat(command, " has no flag ", flag, meant, " (see ", command, " --help)"));
   }
 }
@@ -160,15 +182,6 @@ int CheckPrinted(int exit_code) {
 }
 
 int Main(int argc, char** argv) {
-  // By default, the C library returns a freed block to the system only if it is larger than all
-  // blocks freed before: a run of a thousand frames, of which 35 MB are in use, then holds
-  // gigabytes of gaps between small blocks. A quarter of this threshold returns no more memory and
-  // takes twice the time (page faults); twice the threshold returns nothing. The trim threshold is
-  // larger because the free memory at the end of the heap may be the images of several frames:
-  // returning it after each frame would cost two milliseconds per frame.
-  constexpr int kReturned_bytes = 1 << 22;
-  ::mallopt(M_MMAP_THRESHOLD, kReturned_bytes);
-  ::mallopt(M_TRIM_THRESHOLD, 4 * kReturned_bytes);
   cv::setNumThreads(1);  // the program has its own threads; OpenCV's break determinism
 
   CLI::App program(
@@ -182,11 +195,10 @@ int Main(int argc, char** argv) {
       "Exit codes: 0 success, 1 bad input or failure, 2 usage error, 3 internal error, 130 "
       "interrupted.");
   const std::vector<Command> commands = {
-      AddRunCommand(program),     AddDetectCommand(program),  AddEvalCommand(program),
-      AddImportCommand(program),  AddInfoCommand(program),    AddVariantsCommand(program),
-      AddOptionsCommand(program), AddSynthCommand(program),   AddExperimentCommand(program),
-      AddCheckCommand(program),   AddOverlayCommand(program), AddReportCommand(program),
-      AddFiguresCommand(program), AddPlotCommand(program),    AddCompareCommand(program),
+      AddRunCommand(program),     AddDetectCommand(program),     AddEvalCommand(program),
+      AddImportCommand(program),  AddInfoCommand(program),       AddListCommand(program),
+      AddSynthCommand(program),   AddExperimentCommand(program), AddCheckCommand(program),
+      AddOverlayCommand(program), AddReportCommand(program),     AddPlotCommand(program),
       AddExplainCommand(program), AddManualCommand(program)};
   try {
     CheckSubcommand(argc, argv, program);

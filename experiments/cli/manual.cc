@@ -42,6 +42,7 @@ std::string ManPage(const CLI::App& program) {
 Command AddManualCommand(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("manual", "Print the man page or a shell completion script");
+  app->group("");  // hidden from help
   const auto what = std::make_shared<std::string>();
   app->add_option("WHAT", *what, "man, bash, zsh or fish")
       ->type_name("")

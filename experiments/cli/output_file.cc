@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "core/files/atomic_file.h"
-#include "experiments/datasets/sequence_type.h"
+#include "experiments/datasets/sequence.h"
 
 namespace cvo {
 namespace {

@@ -4,11 +4,8 @@
 
 #include <sys/stat.h>
 
-#include <cerrno>
-#include <string>
-
 #include "core/base/error.h"
-#include "core/files/temporary.h"
+#include "core/files/atomic_file.h"
 
 namespace cvo {
 
@@ -17,14 +14,10 @@ namespace fs = std::filesystem;
 ScratchFolder::ScratchFolder() {
   const fs::path parent = fs::temp_directory_path();
   RemoveLeftovers(parent);
-  for (int attempt = 0;; ++attempt) {
-    path_ = TemporaryName(parent / "clustervo", std::to_string(attempt));
-    if (::mkdir(path_.c_str(), 0700) == 0) return;
-    if (errno != EEXIST || attempt == 1000) {
-      ThrowError(path_.string(), "a folder that cannot be created",
-                 "a writable folder for temporary files (TMPDIR)");
-    }
-  }
+  path_ = TemporaryName(parent / "clustervo");
+  if (::mkdir(path_.c_str(), 0700) == 0) return;
+  ThrowError(path_.string(), "a folder that cannot be created",
+             "a writable folder for temporary files (TMPDIR)");
 }
 
 ScratchFolder::~ScratchFolder() {

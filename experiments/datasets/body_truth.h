@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/objects/object_estimate.h"
+#include "experiments/metrics/objects/object_matching.h"
 
 namespace cvo {
 
@@ -35,5 +37,33 @@ class BodyTruthReader {
 // categories), 0.2 m in other scenes, and that of Sequence::bodies if they are used. Throws Error
 // for files that contradict each other.
 std::unique_ptr<BodyTruthReader> ReadBodyTruth(const Sequence& sequence);
+
+// Reads the bodies of a rendered scene.
+BodyTracks ReadSceneBodyTracks(const Sequence& sequence);
+std::unique_ptr<BodyTruthReader> MakeTrackBodyTruth(const Sequence& sequence, BodyTracks tracks);
+std::unique_ptr<BodyTruthReader> ReadLabelBodyTruth(const Sequence& sequence);
+
+constexpr double kIndoorTravel_m = 0.2;
+constexpr double kOutdoorTravel_m = 2.0;
+
+// Whether `category` is one of KITTI's traffic categories.
+bool IsTraffic(const std::string& category);
+
+// Returns the timestamps and camera poses of the sequence, without any bodies.
+ObjectTruth TruthWithoutBodies(const Sequence& sequence);
+
+// Returns the truth of a landmark on body `id`, given its point in the body's frame, clamped to the
+// body's box. Unknown if the frame has no pose of the body.
+LandmarkTruth TruthOnBody(const ObjectTruth& truth, int id, int frame,
+                          const Eigen::Vector3d& p_in_object);
+
+// Returns the frame as an index. Throws Error if the truth does not have this frame.
+std::size_t CheckedFrame(const ObjectTruth& truth, int frame);
+
+// What StereoCamera::right_field_px should be found for a rendered scene: the best fit, over the
+// whole image, to the disparity error that the scene's right camera gives points far away. The
+// camera's right_shift_px, which is known, is not part of it. Empty if the sequence is not a
+// rendered scene, or is perturbed.
+std::optional<Vector6d> TrueRightField(const Sequence& sequence);
 
 }  // namespace cvo

@@ -10,7 +10,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "experiments/datasets/body_truth_parts.h"
+#include "experiments/datasets/body_truth.h"
 
 namespace cvo {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "core/files/json/options_json.h"
 #include "experiments/datasets/sequence.h"
 

@@ -1,15 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/plausibility.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/base/median.h"
+#include "core/base/lists.h"
 #include "core/geometry/rigid_transform.h"
+#include "experiments/datasets/sequence.h"
 
 namespace cvo {
 namespace {

@@ -10,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
@@ -17,7 +18,7 @@
 #include "experiments/calibration/rectification.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/perturbation.h"
-#include "experiments/metrics/objects/object_truth.h"
+#include "experiments/metrics/objects/object_matching.h"
 #include "experiments/metrics/trajectory.h"
 
 namespace cvo {
@@ -147,5 +148,45 @@ struct FoundSequence {
   std::string type;
 };
 std::vector<FoundSequence> FindSequences(const std::filesystem::path& root);
+
+// Frames begin, ..., end - 1, counted from zero. An end of -1 means up to the last frame.
+struct FrameRange {
+  int begin = 0;
+  int end = -1;
+};
+
+// Parses "A:B", "A:", ":B" or ":". Throws Error for anything else and for empty ranges.
+FrameRange ParseFrameRange(std::string_view text);
+
+// Returns the range within a sequence of `total` frames, with its end filled in. Throws Error if
+// the range is empty or exceeds the sequence.
+FrameRange ResolveFrameRange(const FrameRange& range, int total);
+
+constexpr const char* kKittiOdometry = "kitti-odometry";
+
+// Returns the type of the sequence in a folder, complete or not; "" if there is none.
+std::string DetectSequenceType(const std::filesystem::path& folder);
+
+// Whether the folder is a sequence with images of both cameras.
+bool HasImages(const std::filesystem::path& folder);
+
+// Does not throw: a folder that cannot be read counts as absent.
+bool IsFolder(const std::filesystem::path& path);
+// Whether both folders of a pair exist.
+bool AreFolders(const std::filesystem::path& left, const std::filesystem::path& right);
+
+// IsTrackingSet tells whether a folder contains several KITTI tracking sequences; TrackingSequences
+// returns them as <folder>/<number>, sorted.
+bool IsTrackingSet(const std::filesystem::path& folder);
+std::vector<std::filesystem::path> TrackingSequences(const std::filesystem::path& set_folder);
+
+// Removes ".", ".." and a trailing slash, so that the folder has a name and a parent.
+std::filesystem::path NormalFolder(const std::filesystem::path& folder);
+
+// Describes what is well-formed but implausible in the calibration, the timestamps and the true
+// poses of a sequence, one line per finding: a baseline not in metres, a gap between frames, a
+// camera or a body that jumps, a car that slips sideways. Empty if nothing is. `bodies` is null if
+// there is no ground truth of bodies.
+std::vector<std::string> FindImplausible(const Sequence& sequence, const ObjectTruth* bodies);
 
 }  // namespace cvo

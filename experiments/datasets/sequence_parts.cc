@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -12,14 +13,14 @@
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/object_boxes.h"
-#include "experiments/datasets/frame_range.h"
-#include "experiments/datasets/image_files.h"
+#include "experiments/datasets/images.h"
+#include "experiments/datasets/sequence.h"
 
 namespace cvo {
-namespace {
-
 namespace fs = std::filesystem;
+namespace {
 
 constexpr std::string_view kTracksOfLabels = "labels:";
 
@@ -131,6 +132,18 @@ void DropLowScores(const fs::path& file, double min_score, Sequence& sequence) {
       sequence.detections, [&](const ObjectBox& box) { return *box.score < min_score; }));
 }
 
+// `offset_m` is Sequence::detections_offset_m of boxes in a file.
+void AddDetections(const SequenceRequest& request, double offset_m, Sequence& sequence) {
+  if (AreFromLabels(request.detections_file)) {
+    UseLabelsAsDetections(request.detections_file, request.min_score, sequence);
+  } else if (!request.detections_file.empty()) {
+    sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
+    DropLowScores(request.detections_file, request.min_score, sequence);
+    sequence.detections_offset_m = offset_m;
+    sequence.other_files.push_back(request.detections_file);
+  }
+}
+
 [[noreturn]] void FailPair(const std::string& found, const std::vector<std::string>& known) {
   ThrowError("option --pair", Quoted(found) + DidYouMean(found, known),
              Joined(known, " or ") + " for this type of sequence");
@@ -208,13 +221,7 @@ void AddBoxes(const SequenceRequest& request, Sequence& sequence) {
     sequence.labels = ReadLabels(request.labels_file, sequence.total_frames);
     sequence.other_files.push_back(request.labels_file);
   }
-  if (AreFromLabels(request.detections_file)) {
-    UseLabelsAsDetections(request.detections_file, request.min_score, sequence);
-  } else if (!request.detections_file.empty()) {
-    sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
-    DropLowScores(request.detections_file, request.min_score, sequence);
-    sequence.other_files.push_back(request.detections_file);
-  }
+  AddDetections(request, 0.0, sequence);
 }
 
 void AddPair(const SequenceRequest& request, const std::string& pair, StereoImages images,
@@ -299,15 +306,8 @@ void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, con
                sequence.labels);
     sequence.other_files.push_back(labels_file);
   }
-  if (AreFromLabels(request.detections_file)) {
-    UseLabelsAsDetections(request.detections_file, request.min_score, sequence);
-  } else if (!request.detections_file.empty()) {
-    const int camera = request.detections_camera == -1 ? left_camera : request.detections_camera;
-    sequence.detections = ReadDetections(request.detections_file, sequence.total_frames);
-    DropLowScores(request.detections_file, request.min_score, sequence);
-    sequence.detections_offset_m = rig.Offset_m(camera) - rig.Offset_m(left_camera);
-    sequence.other_files.push_back(request.detections_file);
-  }
+  const int camera = request.detections_camera == -1 ? left_camera : request.detections_camera;
+  AddDetections(request, rig.Offset_m(camera) - rig.Offset_m(left_camera), sequence);
 }
 
 void CutFrames(const SequenceRequest& request, Sequence& sequence) {
@@ -319,6 +319,19 @@ void CutFrames(const SequenceRequest& request, Sequence& sequence) {
   Cut(range, sequence.groundtruth_world_from_camera);
   CutBoxes(range, sequence.labels);
   CutBoxes(range, sequence.detections);
+}
+
+Trajectory ReadEurocPoses(const std::filesystem::path& path) {
+  const DataRows rows(path, 8, "time in ns, position x y z, quaternion w x y z");
+  Trajectory poses;
+  std::optional<std::int64_t> before_ns;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::int64_t time_ns = rows.Integer(i, 0);
+    CheckLater(rows, i, time_ns, before_ns, "the body");
+    before_ns = time_ns;
+    poses.push_back({time_ns, {rows.Quaternion(i, 4, true), rows.Vector(i, 1)}});
+  }
+  return poses;
 }
 
 }  // namespace cvo

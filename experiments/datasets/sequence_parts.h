@@ -8,13 +8,43 @@
 #include <string>
 #include <vector>
 
+#include "core/files/json/json_record.h"
 #include "experiments/calibration/kitti_calibration.h"
 #include "experiments/calibration/stereo_rig.h"
-#include "experiments/datasets/image_files.h"
+#include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/trajectory.h"
 
 namespace cvo {
+
+// How a data set lays out the files of a sequence.
+struct SequenceLayout {
+  std::string type;   // value of --type
+  std::string shape;  // its characteristic files, for messages
+  // Whether a folder has this layout, complete or not. No two layouts recognise the same folder.
+  bool (*knows)(const std::filesystem::path& folder);
+  // Whether the folder has images of both cameras; FindSequences omits those that do not.
+  bool (*has_images)(const std::filesystem::path& folder);
+  Sequence (*read)(const SequenceRequest& request);
+  // Every key that SequenceRequest::layout may have, with its default.
+  Json settings = Json::object();
+};
+
+SequenceLayout ClusterslamLayout();
+SequenceLayout EurocLayout();
+SequenceLayout KittiOdometryLayout();
+SequenceLayout KittiRawLayout();
+SequenceLayout KittiTrackingLayout();
+SequenceLayout OxfordMultimotionLayout();
+SequenceLayout VirtualKittiLayout();
+// Returns all of them, sorted by type.
+const std::vector<SequenceLayout>& SequenceLayouts();
+
+// Returns SequenceRequest::layout, whose keys have been checked, as a layout's record of settings.
+template <JsonRecord Settings>
+Settings LayoutSettings(const SequenceRequest& request) {
+  return FromJson<Settings>(request.layout, "layout settings");
+}
 
 struct CameraPair {
   std::string name;  // "grey" or "colour"
@@ -70,5 +100,8 @@ void StateFramesWithoutTruth(const std::string& reason, Sequence& sequence);
 // clock of the images) to those of the images. Also sets Sequence::truth_track.
 void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,
                     const std::string& reason, Sequence& sequence);
+
+// Reads the poses of the body (world_from_body) from a EuRoC file. Throws Error.
+Trajectory ReadEurocPoses(const std::filesystem::path& path);
 
 }  // namespace cvo

@@ -5,32 +5,31 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cerrno>
+#include <exception>
 
 #include "core/base/error.h"
+#include "core/files/atomic_file.h"
 #include "core/files/disk.h"
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "core/files/json/json.h"
 #include "core/files/sha256.h"
-#include "core/files/temporary.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "experiments/calibration/camera_check.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/calibration/rectification.h"
 #include "experiments/calibration/rig_file.h"
-#include "experiments/datasets/formats/timestamps.h"
-#include "experiments/import/image_names.h"
+#include "experiments/calibration/stereo_rig.h"
+#include "experiments/datasets/formats/data_rows.h"
 #include "experiments/import/stereo_source.h"
 
 namespace cvo {
-namespace {
-
 namespace fs = std::filesystem;
+namespace {
 
 // A folder under a temporary name, which is removed unless it is kept.
 class NewFolder {
  public:
-  explicit NewFolder(const fs::path& target)
-      : target_(target), temporary_(TemporaryName(target, "import")) {
+  explicit NewFolder(const fs::path& target) : target_(target), temporary_(TemporaryName(target)) {
     if (fs::exists(target)) ThrowError(target.string(), "a folder or file", "a new folder");
     if (target.has_parent_path()) fs::create_directories(target.parent_path());
     fs::create_directories(temporary_ / "image_0");
@@ -192,6 +191,32 @@ Json Record(const StereoImport& request, const ImportOutcome& outcome,
   return record;
 }
 
+void AddImages(const fs::path& path, Sha256& hash) {
+  if (!fs::is_directory(path)) {
+    hash.Add(HashFile(path));
+    return;
+  }
+  for (const fs::path& file : OpenImages(path)->files()) {
+    hash.Add(file.filename().string() + "\n" + HashFile(file) + "\n");
+  }
+}
+
+// Returns "kitchen" for kitchen/left.
+std::string NameOf(const fs::path& left) {
+  const std::string name = fs::absolute(left).lexically_normal().parent_path().filename().string();
+  return name.empty() ? "stereo" : name;
+}
+
+bool IsWhole(const fs::path& folder) try {
+  const Json record = ReadJson(folder / kImportRecord);
+  for (const auto& [name, sha256] : record.at("files").items()) {
+    if (HashFile(folder / name) != sha256) return false;
+  }
+  return true;
+} catch (const std::exception&) {  // also those of the JSON library
+  return false;
+}
+
 }  // namespace
 
 ImportOutcome ImportStereo(
@@ -235,6 +260,26 @@ ImportOutcome ImportStereo(
   target.Write(kImportRecord, DumpJson(record));
   target.Keep();
   return outcome;
+}
+
+fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
+                         const std::function<void(std::size_t done, std::size_t total)>& progress) {
+  constexpr const char* kMadeBy =
+      "import 2\n";  // to be changed if the same input yields other images or an error
+  constexpr std::size_t kShortHash = 16;
+  Sha256 hash;
+  hash.Add(kMadeBy);
+  hash.Add(HashFile(request.calibration));
+  if (!request.times.empty()) hash.Add(HashFile(request.times));
+  hash.Add(request.rate_hz ? "rate " + FormatDouble(*request.rate_hz) : "10");
+  AddImages(request.left, hash);
+  AddImages(request.right, hash);
+  const fs::path folder =
+      cache / "imported" / hash.Hex().substr(0, kShortHash) / NameOf(request.left);
+  if (IsWhole(folder)) return folder;
+  fs::remove_all(folder);
+  ImportStereo(request, folder, progress);
+  return folder;
 }
 
 }  // namespace cvo

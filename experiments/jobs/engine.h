@@ -4,12 +4,18 @@
 
 #include <filesystem>
 #include <functional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace cvo {
+
+// These sanitizers reserve terabytes of address space, more than any memory limit would leave.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kLimitsMemory = false;
+#else
+inline constexpr bool kLimitsMemory = true;
+#endif
 
 // One process to run. Its success is judged by the files that it leaves, not by the engine.
 struct Task {
@@ -35,6 +41,8 @@ struct EngineHooks {
   std::function<bool()> stop = [] { return false; };
   // Receives one line for the user, such as the id of a submitted array.
   std::function<void(const std::string& line)> notice = [](const std::string&) {};
+  // Whether a task that an earlier process started and that is not among these is left alone.
+  std::function<bool(const std::string& name)> keeps = [](const std::string&) { return true; };
 };
 
 // Runs tasks. They start in the order given; the bytes that a task writes never depend on it.
@@ -46,12 +54,35 @@ class Engine {
   // be started at all.
   virtual void Run(std::span<const Task> tasks, const EngineHooks& hooks) = 0;
 
-  // Cancels tasks of an earlier process whose names are not among these. Tasks whose names are
-  // among them are resumed by Run, which does not start them again.
-  virtual void KeepOnly(const std::set<std::string>& /*names*/, const EngineHooks& /*hooks*/) {}
-
   // How long a file written by a task may take to become visible here.
   virtual double latency_s() const { return 0.0; }
+};
+
+struct Captured {
+  int exit_code = 0;  // 128 + signal number if a signal ended it
+  std::string out;
+  std::string err;
+};
+
+// Runs a short program found in PATH, without input and detached from the terminal's signals.
+// `give_up` is called several times a second with the output so far; if it returns true, the
+// program is killed. Throws Error if the program cannot be started.
+Captured Capture(const std::vector<std::string>& argv,
+                 const std::function<bool(const Captured&)>& give_up);
+
+// Runs tasks as processes on this machine, at most `processes` at once. No process is left when Run
+// returns or throws, or when this process is killed.
+class LocalEngine : public Engine {
+ public:
+  explicit LocalEngine(int processes);
+
+  // A task that cannot be started, or whose log cannot be written, is reported as ended with that
+  // message. For a stopped task no hook is called. Throws Error if a task's program is not an
+  // executable file.
+  void Run(std::span<const Task> tasks, const EngineHooks& hooks) override;
+
+ private:
+  std::size_t processes_;
 };
 
 }  // namespace cvo

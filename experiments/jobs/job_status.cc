@@ -2,14 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/jobs/job_status.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <map>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "experiments/log/run_record.h"
-#include "experiments/suite/shipped_trajectories.h"
+#include "experiments/record/run_result.h"
+#include "experiments/suite/collection.h"
 #include "reports/results/plan_file.h"
 #include "reports/results/run_summary.h"
 
@@ -18,19 +26,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string Holder(int fd) {
+  std::array<char, 400> text{};
+  const ssize_t size = ::pread(fd, text.data(), text.size(), 0);
+  const std::string holder(text.data(), static_cast<std::size_t>(size > 0 ? size : 0));
+  return holder.empty() ? "another process" : holder.substr(0, holder.find('\n'));
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const fs::path& file)
+    : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  const int open_error = errno;
+  if (fd_ < 0) throw Error(StrCat(file.string(), ": cannot write: ", std::strerror(open_error)));
+  if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    const std::string holder = Holder(fd_);
+    ::close(fd_);
+    if (error != EWOULDBLOCK) {
+      throw Error(StrCat(file.string(), ": cannot lock: ", std::strerror(error)));
+    }
+    ThrowError(file.parent_path().string(), StrCat("in use by ", holder),
+               "a folder not in use by another run");
+  }
+  // Used only in the message above, so a full disk is no reason to fail.
+  const std::string me = StrCat("process ", ::getpid(), " on ", HostName(), '\n');
+  if (::ftruncate(fd_, 0) == 0) {
+    [[maybe_unused]] const ssize_t written = ::pwrite(fd_, me.data(), me.size(), 0);
+  }
+}
+
+FolderLock::~FolderLock() { ::close(fd_); }
+
+namespace {
+
 constexpr std::string_view kErrorPrefix = "clustervo: error: ";
 
 // Throws Error if tables and the gate would reject the result, or if it is that of another job.
-void CheckResult(const fs::path& file, const PlannedJob& job) {
+void CheckResult(const fs::path& file, const PlanJob& job) {
   const reports::RunSummary run = reports::ReadRun(file, {});
-  const Cell& cell = job.cell;
   reports::CheckRunOf(
       {.job = job.job,
-       .variant = cell.system.empty() ? cell.variant : reports::SystemVariant(cell.system),
-       .seed = cell.seed,
+       .variant = job.system.empty() ? job.variant : reports::SystemVariant(job.system),
+       .seed = job.seed,
        .content = job.content,
-       .oracle = cell.oracle,
-       .parameters = ParametersOf(cell)},
+       .oracle = job.oracle,
+       .parameters = job.parameters},
       run);
   if (run.status == ToString(RunStatus::kFailed)) {
     throw Error(StrCat(file.string(), ": the estimator gave up: ", run.message));
@@ -63,9 +104,9 @@ std::string Tail(const fs::path& file) {
 // A scene can always be rendered, and a folder that was found was meant to be used, so a problem
 // with either is a failure and not missing data. A stale trajectory and a missing file of boxes,
 // labels or a network cannot be obtained, and count as missing data.
-JobStatus::State StateWithoutInput(const PlannedJob& job) {
+JobStatus::State StateWithoutInput(const Plan& plan, const PlanJob& job) {
   if (IsPending(job.missing)) return JobStatus::State::kMissing;
-  const bool absent = (job.cell.sequence.scene.empty() && job.folder.empty()) ||
+  const bool absent = (plan.suite.sequences[job.entry].scene.empty() && job.folder.empty()) ||
                       job.missing.starts_with(kStale) || job.missing.starts_with(kNoFile);
   return absent ? JobStatus::State::kNoSequence : JobStatus::State::kFailed;
 }
@@ -73,26 +114,17 @@ JobStatus::State StateWithoutInput(const PlannedJob& job) {
 }  // namespace
 
 const char* ToString(JobStatus::State state) {
-  switch (state) {
-    case JobStatus::State::kDone:
-      return "done";
-    case JobStatus::State::kFailed:
-      return "failed";
-    case JobStatus::State::kMissing:
-      return "missing";
-    case JobStatus::State::kNoSequence:
-      return "no sequence";
-  }
-  throw Error("JobStatus: not one of the enumerators");
+  static constexpr std::array kNames = {"done", "failed", "missing", "no sequence"};
+  return kNames.at(static_cast<std::size_t>(state));
 }
 
-bool HasFiles(const SuiteFolder& folder, const PlannedJob& job) {
+bool HasFiles(const SuiteFolder& folder, const PlanJob& job) {
   const fs::path files = folder.job(job.job);
   return fs::exists(files / "result.json") &&
-         (!job.cell.landmarks || fs::exists(files / "landmarks.csv"));
+         (!job.landmarks || fs::exists(files / "landmarks.csv"));
 }
 
-std::string ProblemOfResult(const SuiteFolder& folder, const PlannedJob& job) {
+std::string ProblemOfResult(const SuiteFolder& folder, const PlanJob& job) {
   if (!HasFiles(folder, job)) return "ended without a result";
   try {
     CheckResult(folder.job(job.job) / "result.json", job);
@@ -102,8 +134,7 @@ std::string ProblemOfResult(const SuiteFolder& folder, const PlannedJob& job) {
   }
 }
 
-JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job) {
-  if (job.job.empty()) return {StateWithoutInput(job), job.missing};
+JobStatus StatusOf(const SuiteFolder& folder, const PlanJob& job) {
   // A damaged result does not count: its job runs again.
   if (ProblemOfResult(folder, job).empty()) return {JobStatus::State::kDone, ""};
   const fs::path failure = folder.failure(job.job);
@@ -114,9 +145,9 @@ JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job) {
 std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan) {
   std::map<std::string, JobStatus> known;
   std::vector<JobStatus> all;
-  for (const PlannedJob& job : plan.jobs) {
+  for (const PlanJob& job : plan.jobs) {
     if (job.job.empty()) {
-      all.push_back(StatusOf(folder, job));
+      all.push_back({StateWithoutInput(plan, job), job.missing});
       continue;
     }
     const auto [found, added] = known.try_emplace(job.job);
@@ -124,19 +155,6 @@ std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan) 
     all.push_back(found->second);
   }
   return all;
-}
-
-std::string Describe(const Cell& cell) {
-  std::string text =
-      StrCat(cell.sequence.name, " ", cell.system.empty() ? cell.variant : cell.system);
-  if (cell.system.empty()) text += StrCat(", seed ", cell.seed);
-  for (const auto& [path, value] : cell.parameters) {
-    text += StrCat(", ", path, "=", value.dump());
-  }
-  for (std::size_t i = 0; i < cell.oracle.size(); ++i) {
-    text += StrCat(i == 0 ? ", oracle " : "+", cell.oracle[i]);
-  }
-  return text;
 }
 
 void WriteFailure(const SuiteFolder& folder, const std::string& id, const std::string& message) {

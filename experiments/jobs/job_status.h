@@ -2,13 +2,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "experiments/jobs/suite_folder.h"
-#include "experiments/suite/plan/plan.h"
+#include "experiments/suite/plan/build_plan.h"
 
 namespace cvo {
+
+// Layout of the folder that a suite is run to.
+struct SuiteFolder {
+  std::filesystem::path root;
+
+  std::filesystem::path plan() const { return root / "plan.json"; }
+  // Files of a run (RunFileNames). result.json marks a finished job.
+  std::filesystem::path job(const std::string& id) const { return root / "jobs" / id; }
+  // {"schema_version": 1, "kind": "failure", "job", "message", "log"}: the last try failed.
+  std::filesystem::path failure(const std::string& id) const {
+    return root / "failed" / (id + ".json");
+  }
+  std::filesystem::path log(const std::string& name) const {
+    return root / "logs" / (name + ".log");
+  }
+  std::filesystem::path slurm() const { return root / "slurm"; }  // SlurmOptions::folder
+  std::filesystem::path lock() const { return root / "lock"; }
+};
+
+// The exclusive right to write to a suite's folder, held while this object exists and the process
+// lives. Others may read meanwhile.
+class FolderLock {
+ public:
+  // Throws Error saying which process on which host holds the lock, or why the file cannot be
+  // created.
+  explicit FolderLock(const std::filesystem::path& file);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int fd_;
+};
 
 struct JobStatus {
   enum class State {
@@ -22,21 +55,18 @@ struct JobStatus {
 };
 const char* ToString(JobStatus::State state);
 
-// Returns the status of a job according to its files, whatever wrote them. Only a complete result
-// of exactly this job counts; anything else in its place is ignored.
-JobStatus StatusOf(const SuiteFolder& folder, const PlannedJob& job);
+// Returns the status of a job whose input exists, according to its files, whatever wrote them. Only
+// a complete result of exactly this job counts; anything else in its place is ignored.
+JobStatus StatusOf(const SuiteFolder& folder, const PlanJob& job);
 
 // Whether the files of a finished job exist, regardless of their content.
-bool HasFiles(const SuiteFolder& folder, const PlannedJob& job);
+bool HasFiles(const SuiteFolder& folder, const PlanJob& job);
 
 // Returns why the job is not done; empty if it is.
-std::string ProblemOfResult(const SuiteFolder& folder, const PlannedJob& job);
+std::string ProblemOfResult(const SuiteFolder& folder, const PlanJob& job);
 
-// Returns one status per job, in the order of the plan. Cells with the same identity share theirs.
+// Returns one status per job, in the order of the plan. Jobs with the same identity share theirs.
 std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan);
-
-// Describes a cell to the user, as in "indoor_1 full, seed 3, pairwise.alpha=5".
-std::string Describe(const Cell& cell);
 
 // Writes failed/<id>.json with the message and the end of the job's log. Throws Error.
 void WriteFailure(const SuiteFolder& folder, const std::string& id, const std::string& message);

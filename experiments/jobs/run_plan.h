@@ -10,10 +10,16 @@
 
 #include "experiments/jobs/engine.h"
 #include "experiments/jobs/job_status.h"
-#include "experiments/jobs/suite_folder.h"
-#include "experiments/suite/plan/plan.h"
+#include "experiments/runner/job_cache.h"
+#include "experiments/suite/plan/build_plan.h"
 
 namespace cvo {
+
+// Runs one job of the plan, on one thread unless the suite sets timed_threads, and writes its
+// files, result.json last. Throws Error if there is no such job, if the program or the sequence's
+// files differ from those planned, or if the estimator failed; then there is no result.
+void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder,
+                   const JobCache& cache);
 
 // Parameters and callbacks of RunPlan.
 struct PlanRun {

@@ -7,8 +7,29 @@
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
+#include "reports/results/metric_catalogue.h"
+#include "reports/results/metric_value.h"
 
 namespace cvo {
+
+using Metric = reports::MetricValue;
+
+// Makes a metric with the name and unit of the catalogue, and the part of the contract that the
+// catalogue determines.
+inline Metric MakeMetric(const reports::MetricForm& form, double value, std::int64_t n) {
+  return {reports::MetricName(form), value, reports::EntryOf(form.id).unit, n,
+          reports::RelationOf(form), ""};
+}
+
+// Enters into the contracts which poses were evaluated (causal, refined or from a file), and by how
+// much the published calibration was changed for them.
+inline void StatePoses(reports::PoseTime poses, double right_shift_px,
+                       std::vector<Metric>& metrics) {
+  for (Metric& metric : metrics) {
+    metric.contract.poses = poses;
+    metric.contract.right_shift_px = right_shift_px;
+  }
+}
 
 using OptionalPoses = std::vector<std::optional<RigidTransform>>;
 
@@ -54,5 +75,18 @@ struct ComparedPaths {
   std::int64_t pairs = 0;
 };
 [[nodiscard]] std::optional<ComparedPaths> ConsecutiveLengths(const CommonPoses& poses);
+
+// Drift as defined by the KITTI odometry devkit: the mean error of the relative pose, per metre,
+// over sub-sequences of 100, 200, ..., 800 m along the true path that start at every tenth frame.
+struct KittiDrift {
+  double translation_percent = 0.0;
+  double rotation_deg_per_100m = 0.0;
+  std::int64_t segments = 0;
+  std::int64_t segments_without_estimate = 0;
+};
+// Empty if no sub-sequence has an estimate at both ends. The path across frames without truth is
+// taken as a straight line; a sub-sequence whose first frame has no truth is left out.
+[[nodiscard]] std::optional<KittiDrift> ComputeKittiDrift(const OptionalPoses& truth,
+                                                          const OptionalPoses& estimate);
 
 }  // namespace cvo

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/interface/frame.h"
-#include "core/interface/odometry.h"
 
 namespace cvo {
 

@@ -5,9 +5,9 @@
 #include <functional>
 #include <string>
 
-#include "core/files/text_sink.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/log/run_record.h"
+#include "experiments/record/run_result.h"
 
 namespace cvo {
 
@@ -30,9 +30,8 @@ void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
 // Writes these rows as tracks.kitti.
 void WriteKittiTracks(const Sequence& sequence, const RunResult& run, const TextSink& sink);
 
-// Calls `take` with the text of clusters/<id>.tum of each cluster, by id: world_from_object as last
-// estimated, in the frames in which the cluster was tracked.
-void ForEachClusterTum(const PoseLog& clusters,
-                       const std::function<void(ClusterId, const std::string& text)>& take);
+// Text of clusters/<id>.tum: world_from_object as last estimated, in the frames in which the
+// cluster was tracked.
+std::string ClusterTum(const ClusterTrajectory& cluster);
 
 }  // namespace cvo

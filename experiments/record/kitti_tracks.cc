@@ -4,7 +4,6 @@
 #include <numbers>
 #include <optional>
 
-#include "experiments/log/cluster_rows.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/table_row.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/interface/frame.h"
-#include "experiments/metrics/objects/object_estimate.h"
+#include "experiments/metrics/objects/object_matching.h"
 
 namespace cvo {
 

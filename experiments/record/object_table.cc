@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/log/cluster_rows.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/table_row.h"
@@ -50,19 +49,13 @@ void WriteObjectTable(const Sequence& sequence, const RunResult& run, const Text
   });
 }
 
-void ForEachClusterTum(const PoseLog& clusters,
-                       const std::function<void(ClusterId, const std::string& text)>& take) {
-  const std::vector<PoseLog::Entry> entries = clusters.ByCluster();
-  auto entry = entries.begin();
-  for (const ClusterId id : clusters.clusters()) {
-    Trajectory tracked;
-    for (; entry != entries.end() && entry->id() == id; ++entry) {
-      const ClusterPose pose = clusters.Read(*entry);
-      if (pose.status != ClusterStatus::kTracked) continue;
-      tracked.push_back({pose.timestamp_ns, pose.world_from_object});
-    }
-    take(id, FormatTumTrajectory(tracked));
+std::string ClusterTum(const ClusterTrajectory& cluster) {
+  Trajectory tracked;
+  for (const ClusterPose& pose : cluster.poses) {
+    if (pose.status != ClusterStatus::kTracked) continue;
+    tracked.push_back({pose.timestamp_ns, pose.world_from_object});
   }
+  return FormatTumTrajectory(tracked);
 }
 
 }  // namespace cvo

@@ -5,9 +5,7 @@
 #include <Eigen/LU>
 #include <map>
 
-#include "core/base/error.h"
-#include "core/files/json/json_rows.h"
-#include "experiments/log/cluster_rows.h"
+#include "core/files/json/json.h"
 #include "experiments/record/job_identity.h"
 
 namespace cvo {
@@ -152,7 +150,7 @@ Json ClustersToJson(const RunResult& run) {
 
 std::optional<CalibrationReport> LastCalibration(const RunResult& run) {
   for (std::size_t i = run.frames.size(); i-- > 0;) {
-    const CalibrationReport calibration = run.frames[i].report.calibration;
+    const CalibrationReport& calibration = run.frames[i].report.calibration;
     if (calibration.IsEstimated()) return calibration;
   }
   return std::nullopt;
@@ -196,18 +194,6 @@ Json ResultJson(const reports::RunSummary& summary, const Json& details) {
   Json json = FileJson(summary);
   json.update(details);
   return json;
-}
-
-const char* ToString(RunStatus status) {
-  switch (status) {
-    case RunStatus::kOk:
-      return "ok";
-    case RunStatus::kLost:
-      return "lost";
-    case RunStatus::kFailed:
-      return "failed";
-  }
-  throw Error("RunStatus: not one of the enumerators");
 }
 
 std::string RecordedJob(const RunRecord& record) {

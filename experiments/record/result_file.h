@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/files/json/json.h"
-#include "core/files/text_sink.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/log/run_record.h"
-#include "experiments/metrics/metric.h"
+#include "experiments/metrics/pose_errors.h"
 #include "experiments/record/build_identity.h"
+#include "experiments/record/run_result.h"
 #include "experiments/record/truth_file.h"
 #include "reports/results/run_summary.h"
 

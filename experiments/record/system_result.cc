@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/interface/frame.h"
-#include "experiments/datasets/plausibility.h"
+#include "experiments/datasets/sequence.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/record/result_file.h"
 

@@ -9,8 +9,8 @@
 
 #include "core/files/json/json.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/metric.h"
-#include "experiments/metrics/objects/object_estimate.h"
+#include "experiments/metrics/objects/object_matching.h"
+#include "experiments/metrics/pose_errors.h"
 #include "experiments/record/build_identity.h"
 #include "reports/results/run_summary.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/association/image_box.h"
+#include "core/association/box_association.h"
 #include "core/geometry/rigid_transform.h"
 
 namespace cvo {

@@ -14,8 +14,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/files/host_name.h"
-#include "core/files/json/json_rows.h"
+#include "core/files/atomic_file.h"
+#include "core/files/json/json.h"
 
 namespace cvo {
 namespace {

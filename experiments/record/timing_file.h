@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "core/files/text_sink.h"
-#include "experiments/log/run_record.h"
+#include "core/files/text_file.h"
+#include "experiments/record/run_result.h"
 #include "reports/results/timing.h"
 
 namespace cvo {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/metrics/objects/object_matching.h"
 #include "experiments/metrics/objects/object_scores.h"
-#include "experiments/metrics/objects/object_truth.h"
 
 namespace cvo {
 

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <utility>
 
-#include "core/association/clip_box.h"
+#include "core/association/box_association.h"
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/frame_source.h"
 
-#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,18 +26,15 @@ FrontEndSettings Settings(const FrameInput& input) {
           .first_frame = sequence.first_frame};
 }
 
-// Extracts the frames and records them for later runs, under the hashes of the bytes that it read.
+// Extracts the frames and records them for later runs under `key`, that of the images as they were
+// before.
 class RecordedFrames final : public FrameSource {
  public:
-  RecordedFrames(const FrameInput& input, TaskPool& pool)
-      : RecordedFrames(input, {}, input.cache->Record(), pool) {}
-  // From the frame after these images on; `recording` has the frames of these.
-  RecordedFrames(const FrameInput& input, std::vector<ImageHashes> images,
-                 FrontEndRecording recording, TaskPool& pool)
+  RecordedFrames(const FrameInput& input, std::string key, TaskPool& pool)
       : input_(input),
-        frames_(input.sequence, input.options, pool, images.size()),
-        recording_(std::move(recording)),
-        images_(std::move(images)) {}
+        frames_(input.sequence, input.options, pool),
+        recording_(input.cache->Record(key)),
+        key_(std::move(key)) {}
 
   PreparedFrame Next() override {
     ExtractedFrame extracted = frames_.Extract();
@@ -50,17 +46,21 @@ class RecordedFrames final : public FrameSource {
     return Prepare(input_.sequence, images_.size() - 1, std::move(extracted));
   }
 
-  void Finish() override { recording_.Finish(FrontEndKey(Settings(input_), images_)); }
+  // An image that has changed since leaves no entry.
+  void Finish() override {
+    if (FrontEndKey(Settings(input_), images_) == key_) recording_.Finish();
+  }
 
  private:
   const FrameInput input_;
   LookAhead frames_;
-  FrontEndRecording recording_;
+  FeatureRecording recording_;
   std::vector<ImageHashes> images_;
+  std::string key_;
 };
 
-// Reads frames from the cache. If one cannot be read, extracts this one and all after it, and makes
-// the entry again.
+// Reads frames from the cache. If one cannot be read, extracts this one and all after it; the next
+// run makes the entry again.
 class CachedFrames final : public FrameSource {
  public:
   CachedFrames(const FrameInput& input, std::vector<ImageHashes> images, std::string key,
@@ -73,45 +73,27 @@ class CachedFrames final : public FrameSource {
 
   PreparedFrame Next() override {
     const std::size_t index = next_++;
-    if (file_) {
-      ExtractedFrame cached;
-      if (Load(index, cached)) return Prepare(input_.sequence, index, std::move(cached));
-      ExtractFrom(index);
+    if (rest_) return rest_->Next();
+    ExtractedFrame cached;
+    try {
+      const ScopedStage stage(cached.times_s, "load_features");
+      cached.front_end = file_.Next();
+      cached.hashes = images_.at(index);
+    } catch (const Error& damage) {
+      input_.cache->Remove(key_, damage.what());
+      rest_.emplace(input_.sequence, input_.options, pool_, index);
+      return rest_->Next();
     }
-    return rest_->Next();
-  }
-
-  void Finish() override {
-    if (rest_) rest_->Finish();
+    return Prepare(input_.sequence, index, std::move(cached));
   }
 
  private:
-  bool Load(std::size_t index, ExtractedFrame& cached) {
-    try {
-      const ScopedStage stage(cached.times_s, "load_features");
-      cached.front_end = file_->Frame(index);
-      cached.hashes = images_.at(index);
-      return true;
-    } catch (const std::exception& damage) {
-      input_.cache->Remove(key_, damage.what());
-      return false;
-    }
-  }
-
-  void ExtractFrom(std::size_t index) {
-    FrontEndRecording recording = input_.cache->Record();
-    recording.AddFrames(*file_, index);
-    file_.reset();
-    images_.resize(index);
-    rest_.emplace(input_, std::move(images_), std::move(recording), pool_);
-  }
-
   const FrameInput input_;
   std::vector<ImageHashes> images_;
   std::string key_;
-  std::optional<FeatureFile> file_;
+  FeatureFile file_;
   TaskPool& pool_;
-  std::optional<RecordedFrames> rest_;
+  std::optional<LookAhead> rest_;
   std::size_t next_ = 0;
 };
 
@@ -124,11 +106,12 @@ std::unique_ptr<FrameSource> OpenFrames(const FrameInput& input, TaskPool& pool)
   std::vector<ImageHashes> images =
       input.images.empty() ? HashImages(input.sequence) : input.images;
   std::string key = FrontEndKey(Settings(input), images);
-  if (auto file = input.cache->Find(key, images.size())) {
+  if (key.empty()) return std::make_unique<LookAhead>(input.sequence, input.options, pool);
+  if (std::optional<FeatureFile> file = input.cache->Find(key)) {
     return std::make_unique<CachedFrames>(input, std::move(images), std::move(key),
-                                          std::move(*file), pool);
+                                          *std::move(file), pool);
   }
-  return std::make_unique<RecordedFrames>(input, pool);
+  return std::make_unique<RecordedFrames>(input, std::move(key), pool);
 }
 
 }  // namespace cvo

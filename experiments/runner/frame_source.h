@@ -12,7 +12,7 @@
 #include "experiments/cache/content_hash.h"
 #include "experiments/cache/front_end_cache.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/log/run_record.h"
+#include "experiments/record/run_result.h"
 
 namespace cvo {
 

@@ -9,7 +9,7 @@
 #include "core/features/front_end.h"
 #include "core/features/orb/orb.h"
 #include "core/features/stereo_matcher.h"
-#include "experiments/datasets/load_image.h"
+#include "experiments/datasets/images.h"
 #include "experiments/runner/frame_detections.h"
 
 namespace cvo {

@@ -13,7 +13,7 @@
 #include "core/base/task_pool.h"
 #include "core/interface/options.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/cache/front_end_frame.h"
+#include "experiments/cache/front_end_cache.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/frame_source.h"
 

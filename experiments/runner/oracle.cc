@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "core/association/assignment.h"
+#include "core/association/box_association.h"
 #include "core/base/error.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"

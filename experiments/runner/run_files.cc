@@ -35,7 +35,7 @@ std::vector<std::string> StaleFiles(const fs::path& folder, const StagedFiles& w
   return stale;
 }
 
-std::string CameraTum(const FrameLog& frames) {
+std::string CameraTum(const std::vector<FrameRecord>& frames) {
   Trajectory timed;
   for (const FrameRecord& frame : frames) {
     if (frame.report.status == FrameStatus::kSkipped) continue;
@@ -44,7 +44,7 @@ std::string CameraTum(const FrameLog& frames) {
   return FormatTumTrajectory(timed);
 }
 
-std::string CameraKitti(const FrameLog& frames) {
+std::string CameraKitti(const std::vector<FrameRecord>& frames) {
   std::vector<RigidTransform> every_frame;
   for (const FrameRecord& frame : frames) every_frame.push_back(frame.refined_world_from_camera);
   return FormatKittiPoses(every_frame);
@@ -69,9 +69,9 @@ void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunCon
   StagedFiles files(folder);
   const bool has_landmarks = landmarks.has_value();
   if (landmarks) files.Add(std::move(*landmarks));
-  ForEachClusterTum(run.clusters, [&files](ClusterId id, const std::string& text) {
-    files.Add(StrCat(kClusters, "/", id.value, ".tum"), text);
-  });
+  for (const ClusterTrajectory& cluster : run.clusters) {
+    files.Add(StrCat(kClusters, "/", cluster.id.value, ".tum"), ClusterTum(cluster));
+  }
   files.Add("camera.tum", CameraTum(run.frames));
   files.Add("camera.kitti", CameraKitti(run.frames));
   files.Add("objects.csv",

@@ -2,19 +2,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/run_job.h"
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/files/json/options_json.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/datasets/plausibility.h"
-#include "experiments/datasets/scene_calibration.h"
+#include "experiments/datasets/body_truth.h"
+#include "experiments/datasets/sequence.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/run_files.h"
 
 namespace cvo {
 namespace {
+
+// Warns of a run whose estimates take much memory; all of them are held until its end.
+void WarnOfMemory(const RunResult& run, std::vector<std::string>& warnings) {
+  constexpr double kMuch_bytes = 2e9;
+  std::size_t bytes = run.frames.size() * sizeof(FrameRecord);
+  for (const FrameRecord& frame : run.frames) {
+    bytes += frame.report.clusters.size() * (sizeof(ClusterReport) + sizeof(ClusterPose)) +
+             frame.detections.size() * sizeof(Detection) +
+             frame.landmarks.size() * sizeof(LandmarkObservation);
+  }
+  const double held = static_cast<double>(bytes);
+  if (held <= kMuch_bytes) return;
+  warnings.push_back(StrCat("the estimates of ", run.frames.size(), " frames took ",
+                            std::round(held / 1e8) / 10.0,
+                            " GB of memory: parts of the sequence (--frames) need less"));
+}
 
 std::vector<Metric> AllMetrics(const RunScores& scores) {
   std::vector<Metric> all = scores.refined;
@@ -91,7 +109,7 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
     landmarks.emplace(BeginLandmarks(folder));
     sink = [&landmarks](const std::string& rows) { landmarks->Append(rows); };
   }
-  std::optional<RunResult> run = RunSequence(request, truth.get(), sink, folder);
+  std::optional<RunResult> run = RunSequence(request, truth.get(), sink);
   if (!run) return std::nullopt;
 
   const ObjectTruth* bodies = truth ? &truth->objects() : nullptr;
@@ -116,6 +134,7 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
   outcome.context.threads = request.threads;
   outcome.context.paths = PathsOf(request.sequence, folder);
   WriteRunFiles(folder, record, outcome.context, std::move(landmarks));
+  WarnOfMemory(outcome.run, outcome.warnings);  // no part of the result
   return outcome;
 }
 

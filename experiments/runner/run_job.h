@@ -18,7 +18,7 @@ struct JobOutcome {
   RunResult run;
   RunScores scores;
   RunContext context;
-  std::vector<std::string> warnings = {};  // of FindImplausible
+  std::vector<std::string> warnings = {};  // of FindImplausible, and of much memory
 };
 
 // Returns GivenToJson of a job. Classes only count if there are boxes.

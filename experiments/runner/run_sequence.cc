@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/run_sequence.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -17,9 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
-#include "core/files/sha256.h"
-#include "core/files/spool.h"
-#include "core/interface/odometry.h"
+#include "core/interface/frame.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/record/landmark_table.h"
 #include "experiments/runner/frame_source.h"
@@ -97,48 +92,14 @@ std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& land
 }
 
 // Appends the stage times of the last frame.
-void KeepTimes(const StageTimes& times_s, std::size_t all_frames, RunResult& result) {
-  for (const auto& [stage, time_s] : times_s) {
-    const auto [of_frames, added] = result.times_s.try_emplace(stage);
-    // Allocated at once: a vector that grows in steps leaves holes between short-lived blocks.
-    if (added) of_frames->second.reserve(all_frames);
-  }
+void KeepTimes(const StageTimes& times_s, RunResult& result) {
+  for (const auto& [stage, time_s] : times_s) result.times_s.try_emplace(stage);
   for (auto& [stage, of_frames] : result.times_s) {
     of_frames.resize(result.frames.size(), std::numeric_limits<float>::quiet_NaN());
     const auto time_s = times_s.find(stage);
     if (time_s != times_s.end()) of_frames.back() = static_cast<float>(time_s->second);
   }
 }
-
-// Returns free memory to the system. Every frame leaves tens of megabytes free between blocks that
-// stay, and not always in the same places, so that the memory in use would vary by as much.
-void ReturnFreeMemory(std::size_t frames) {
-  constexpr std::size_t kEvery_frames = 20;
-  if (frames % kEvery_frames == 0) ::malloc_trim(0);
-}
-
-// The hashes of the images so far. In memory they would take a third of what is kept of a frame.
-class HashLog {
- public:
-  explicit HashLog(const std::filesystem::path& folder) : spool_(folder) {}
-
-  std::size_t size() const { return spool_.size() / (2 * kHashBytes); }
-  void Append(const ImageHashes& hashes) {
-    for (std::string hash : {hashes.left, hashes.right}) {
-      hash.resize(kHashBytes, ' ');  // the hash of an unreadable file is empty
-      spool_.Append(hash);
-    }
-  }
-  ImageHashes operator[](std::size_t frame) const { return {Read(2 * frame), Read(2 * frame + 1)}; }
-
- private:
-  std::string Read(std::size_t image) const {
-    std::string hash = spool_.Read(kHashBytes * image, kHashBytes);
-    return hash.starts_with(' ') ? "" : hash;
-  }
-
-  Spool spool_;
-};
 
 // Processes one frame with the estimator. If that throws Error, marks the result as failed and
 // returns nothing.
@@ -165,21 +126,21 @@ std::optional<FrameRecord> Estimate(const RunRequest& request, Odometry& odometr
 // Passes the landmarks of a frame to `sink` and keeps only their counts.
 void GiveLandmarks(const StereoFrame& given, const std::vector<LandmarkTruth>& feature_truth,
                    const LandmarkSink& sink, FrameRecord& record) {
-  std::vector<LandmarkReport>& landmarks = record.report.landmarks;
+  const std::vector<LandmarkReport> landmarks = std::exchange(record.report.landmarks, {});
   if (sink) sink(LandmarkRows(record.frame, given, landmarks, feature_truth));
   record.landmarks = Observe(landmarks, feature_truth);
-  landmarks = std::vector<LandmarkReport>();  // frees its memory, which "= {}" does not
 }
 
 // Takes the final poses from the estimator. A failed run keeps its camera poses as they are, and no
 // trajectories of clusters.
 void Refine(const Odometry& odometry, RunResult& result) {
-  if (result.status == RunStatus::kFailed) {
-    result.clusters = PoseLog();
-    return;
+  if (result.status == RunStatus::kFailed) return;
+  const std::vector<RigidTransform> poses = odometry.Trajectory();
+  Require(poses.size() == result.frames.size(), "Odometry: one pose per frame");
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    result.frames[i].refined_world_from_camera = poses[i];
   }
-  result.frames.Refine(odometry.Trajectory());
-  result.clusters.Add(odometry.ClusterTrajectories());
+  result.clusters = odometry.ClusterTrajectories();
 }
 
 void JudgeStatus(RunResult& result) {
@@ -196,19 +157,20 @@ void JudgeStatus(RunResult& result) {
       StrCat(lost, " of ", result.frames.size(), " frames lost, the first is frame ", first_lost);
 }
 
-// Returns the identity of the input, which does not depend on how far the run got.
-std::string ContentOf(const RunRequest& request, const HashLog& hashes) {
-  return ContentHash(request.sequence, [&](std::size_t i) {
-    if (i < hashes.size()) return hashes[i];
-    return request.images.empty() ? HashPair(request.sequence.images[i]) : request.images[i];
-  });
+// Returns the identity of the input, which does not depend on how far the run got. `images` has the
+// hashes of the frames that were read.
+std::string ContentOf(const RunRequest& request, std::vector<ImageHashes> images) {
+  for (std::size_t i = images.size(); i < request.sequence.images.size(); ++i) {
+    images.push_back(request.images.empty() ? HashPair(request.sequence.images[i])
+                                            : request.images[i]);
+  }
+  return ContentHash(request.sequence, images);
 }
 
 }  // namespace
 
 std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader* truth,
-                                     const LandmarkSink& landmarks,
-                                     const std::filesystem::path& spool_folder) {
+                                     const LandmarkSink& landmarks) {
   const Sequence& sequence = request.sequence;
   Require(request.images.empty() || request.images.size() == sequence.images.size(),
           "RunSequence: the hashes of all frames, or of none");
@@ -216,32 +178,28 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   TruthOfFrame beside{truth, Oracle(sequence, request.oracle, truth)};
   const auto run_start = std::chrono::steady_clock::now();
   TaskPool pool(request.threads);
-  std::unique_ptr<Odometry> odometry =
+  const std::unique_ptr<Odometry> odometry =
       request.variant.make({sequence.camera, request.options, request.seed}, pool);
-  std::unique_ptr<FrameSource> source =
+  const std::unique_ptr<FrameSource> source =
       OpenFrames({sequence, request.options, request.images, request.cache}, pool);
 
   RunResult result;
-  result.frames = FrameLog(spool_folder);
-  result.clusters = PoseLog(spool_folder);
-  HashLog hashes(spool_folder);
+  std::vector<ImageHashes> hashes;
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
     const auto frame_start = std::chrono::steady_clock::now();
     PreparedFrame prepared = source->Next();
     prepared.times_s["wait_for_features"] = SecondsSince(frame_start);
     if (request.strict) RefuseProblems(sequence, prepared);
-    hashes.Append(prepared.hashes);
+    hashes.push_back(prepared.hashes);
     AddDetections(request, boxes[i], prepared, result.detections);
     const auto feature_truth = AddTruth(request, static_cast<int>(i), beside, prepared);
     result.wall_s -= beside.seconds;
     std::optional<FrameRecord> record = Estimate(request, *odometry, prepared, result);
     if (!record) break;
     GiveLandmarks(prepared.frame, feature_truth, landmarks, *record);
-    result.frames.Append(*record);
-    result.clusters.Add(odometry->TakeSettledPoses());
+    result.frames.push_back(std::move(*record));
     prepared.times_s["frame"] = SecondsSince(frame_start) - beside.seconds;
-    KeepTimes(prepared.times_s, sequence.images.size(), result);
-    ReturnFreeMemory(i + 1);
+    KeepTimes(prepared.times_s, result);
     request.progress(i + 1);
     if (request.stop()) return std::nullopt;
   }
@@ -249,10 +207,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   Refine(*odometry, result);
   JudgeStatus(result);
   if (result.status != RunStatus::kFailed) source->Finish();
-  // Frees the memory of both for what follows.
-  source.reset();
-  odometry.reset();
-  result.content = ContentOf(request, hashes);
+  result.content = ContentOf(request, std::move(hashes));
   return result;
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,7 +14,7 @@
 #include "experiments/cache/front_end_cache.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/log/run_record.h"
+#include "experiments/record/run_result.h"
 #include "experiments/runner/frame_detections.h"
 #include "experiments/runner/oracle.h"
 #include "variants/registry.h"
@@ -44,11 +43,9 @@ using LandmarkSink = std::function<void(const std::string& rows)>;
 // Runs the variant over every frame of the sequence. Returns nothing if `stop` ended the run. An
 // Error of the estimator itself is a result too (status failed, with the frames so far); all others
 // are thrown. With `truth`, the ground truth of landmarks is recorded; the time for that does not
-// count as the run's. What is kept of a long run is in a file in `spool_folder`, or in memory if
-// that is empty.
+// count as the run's.
 [[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request,
                                                    BodyTruthReader* truth = nullptr,
-                                                   const LandmarkSink& landmarks = {},
-                                                   const std::filesystem::path& spool_folder = {});
+                                                   const LandmarkSink& landmarks = {});
 
 }  // namespace cvo

@@ -12,7 +12,7 @@
 #include "core/files/text_file.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/objects/object_metrics.h"
+#include "experiments/metrics/objects/object_scores.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/system_result.h"
 

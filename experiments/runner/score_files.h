@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/metric.h"
 #include "experiments/metrics/objects/object_scores.h"
+#include "experiments/metrics/pose_errors.h"
 #include "experiments/runner/system_files.h"
 
 namespace cvo {

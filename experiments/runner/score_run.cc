@@ -7,14 +7,12 @@
 #include <string>
 #include <utility>
 
-#include "experiments/log/cluster_rows.h"
-#include "experiments/metrics/calibration_metrics.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/kitti_ap/box_metrics.h"
-#include "experiments/metrics/objects/clustering_metrics.h"
-#include "experiments/metrics/objects/object_metrics.h"
+#include "experiments/metrics/objects/object_scores.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/result_file.h"
+#include "experiments/record/run_result.h"
 
 namespace cvo {
 namespace {

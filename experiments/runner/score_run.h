@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
-#include "experiments/log/run_record.h"
-#include "experiments/metrics/metric.h"
-#include "experiments/metrics/objects/object_estimate.h"
+#include "experiments/metrics/objects/object_matching.h"
 #include "experiments/metrics/objects/object_scores.h"
+#include "experiments/metrics/pose_errors.h"
+#include "experiments/record/run_result.h"
 
 namespace cvo {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/objects/object_estimate.h"
+#include "experiments/metrics/objects/object_matching.h"
 
 namespace cvo {
 

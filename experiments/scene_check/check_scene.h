@@ -3,14 +3,43 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
-#include "experiments/scene_check/report.h"
+#include "core/files/json/json.h"
 
 namespace cvo {
 
-// Checks the files of a rendered scene against each other, using nothing but the contents of the
-// folder. The report does not depend on the number of threads. A file that cannot be read is a
-// failed check; throws Error only if the folder is not that of a rendered scene.
+enum class Bound { kAtMost, kAtLeast };
+
+// A measured figure of a rendered scene and its limit.
+struct SceneCheck {
+  std::string name;   // "disparity_offset"
+  double figure = 0;  // NaN, which fails, if nothing could be measured
+  std::string unit;
+  Bound bound = Bound::kAtMost;
+  double limit = 0.0;
+  std::string where;  // where the figure is worst; may be empty
+
+  bool Passed() const { return bound == Bound::kAtMost ? figure <= limit : figure >= limit; }
+};
+
+struct SceneCheckReport {
+  std::string folder;
+  int frames = 0;        // of the sequence
+  int image_frames = 0;  // evenly chosen frames whose images were compared
+  std::vector<SceneCheck> checks;
+
+  bool Passed() const;
+};
+
+// Returns the report as JSON. Figures that are not finite become null.
+Json SceneCheckJson(const SceneCheckReport& report);
+
+// Checks the files of a rendered scene against each other and against their manifest, using nothing
+// but the contents of the folder: images against depth, poses and masks, poses against velocities,
+// masks against boxes. The report does not depend on the number of threads. A file that cannot be
+// read is a failed check; throws Error only if the folder is not that of a rendered scene.
 SceneCheckReport CheckScene(const std::filesystem::path& folder, int threads);
 
 }  // namespace cvo

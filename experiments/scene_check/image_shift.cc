@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/scene_check/image_shift.h"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "experiments/scene_check/checks.h"
 
 namespace cvo {
 namespace {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "core/base/error.h"
@@ -13,15 +14,13 @@
 #include "core/files/json/options_json.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/frame_range.h"
+#include "experiments/datasets/sequence.h"
 #include "experiments/runner/frame_detections.h"
-#include "experiments/suite/cell_input.h"
-#include "experiments/suite/parse_suite.h"
-#include "experiments/suite/suite_grid.h"
+#include "experiments/suite/job_input.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/results/suite_runs.h"
-#include "synth/family/generate.h"
-#include "synth/write/dataset_settings.h"
+#include "synth/family/family.h"
+#include "synth/write/dataset.h"
 #include "variants/registry.h"
 
 namespace cvo {
@@ -116,13 +115,6 @@ void CheckSequences(const Suite& suite, const std::string& where) {
     }
     CheckNames(sequence.classes, KnownClasses(), at + ".classes",
                "classes of detections, of " + Joined(KnownClasses(), ", "));
-    if (!Among({"", "grey", "colour"}, sequence.pair)) {
-      ThrowError(at + ".pair", Quoted(sequence.pair), "\"grey\" or \"colour\"");
-    }
-    if (!Among({"devkit", "interpolated"}, sequence.groundtruth)) {
-      ThrowError(at + ".groundtruth", Quoted(sequence.groundtruth),
-                 "\"devkit\" or \"interpolated\"");
-    }
     if (!sequence.detector.model.empty() && sequence.detections_camera >= 0) {
       ThrowError(at + ".detections_camera", "a camera of boxes that a model finds",
                  "none: it looks at the left images that are read");
@@ -307,7 +299,7 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   CheckName(suite.name, where + ", name");
   CheckSequences(suite, where);
   CheckNames(suite.variants, VariantNames(), where + ", variants",
-             "a variant (clustervo variants)");
+             "a variant (clustervo list variants)");
   if (suite.variants.empty() && suite.systems.empty()) {
     ThrowError(where + ", variants", "none", "at least one variant or system");
   }
@@ -327,6 +319,62 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   CheckNames(suite.table.metrics, reports::AllMetricNames(), where + ", table.metrics",
              "a metric of results, as camera_ate or object_success_10cm");
   CheckReference(suite, where + ", table.reference");
+}
+
+namespace {
+
+// Parses JSON; any other text is taken as a string, so that a word needs no quotes.
+Json ParseValue(const std::string& text) {
+  try {
+    return ParseJson(text, "value");
+  } catch (const Error&) {
+    return text;
+  }
+}
+
+void SetSuiteOption(const std::string& assignment, Json& options) {
+  Options values;
+  const std::vector<OptionLeaf> leaves = OptionLeaves(values);
+  SetOption(assignment, leaves);
+  const std::string path = assignment.substr(0, assignment.find('='));
+  options[PointerTo(path)] = ValueToJson(*FindBy(leaves, &OptionLeaf::path, path));
+}
+
+void Set(const std::string& assignment, Suite& suite) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == 0 || equals == std::string::npos) {
+    ThrowError("--set " + assignment, "no PATH=VALUE", "PATH=VALUE, such as window.spatial=5");
+  }
+  const std::string path = assignment.substr(0, equals);
+  const Json value = ParseValue(assignment.substr(equals + 1));
+  GridAxis* axis = FindBy(suite.grid, &GridAxis::path, path);
+  const bool of_sequence = !IsOptionPath(path);
+  if ((of_sequence || axis != nullptr) && suite.grid_one_at_a_time) {
+    ThrowError("--set " + assignment, "a suite that varies one axis of its grid at a time",
+               "an option that is not an axis");
+  }
+  if (axis != nullptr) {
+    axis->values = {value};
+  } else if (of_sequence) {
+    suite.grid.push_back({path, {value}});
+  } else {
+    SetSuiteOption(assignment, suite.options);
+  }
+}
+
+}  // namespace
+
+Suite Override(Suite suite, const SuiteOverrides& overrides) {
+  if (overrides.seeds > 0) {
+    suite.seeds.resize(static_cast<std::size_t>(overrides.seeds));
+    std::iota(suite.seeds.begin(), suite.seeds.end(), 1);
+  }
+  if (!overrides.frames.empty()) {
+    for (SuiteSequence& sequence : suite.sequences) sequence.frames = overrides.frames;
+  }
+  for (const std::string& assignment : overrides.set) Set(assignment, suite);
+  CheckSuite(suite, "suite " + suite.name);
+  return suite;
 }
 
 }  // namespace cvo

@@ -4,10 +4,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "experiments/suite/shipped/shipped_suites.h"
+#include "synth/scene/description.h"
 #include "synth/scene/object_reader.h"
 
 namespace cvo {
@@ -15,14 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using synth::ObjectReader;
-
-std::vector<std::string> Texts(const Json& value, const std::string& where) {
-  const auto is_text = [](const Json& element) { return element.is_string(); };
-  if (!value.is_array() || !std::all_of(value.begin(), value.end(), is_text)) {
-    ThrowError(where, value.dump(), "a list of texts");
-  }
-  return value.get<std::vector<std::string>>();
-}
 
 CollectionFigure ReadFigure(ObjectReader object) {
   CollectionFigure figure;
@@ -37,16 +35,16 @@ CollectionFigure ReadFigure(ObjectReader object) {
 }
 
 void ReadRows(ObjectReader& object, CollectionSection& section) {
-  section.columns = Texts(object.Value("columns"), object.Where("columns"));
+  section.columns = ReadTexts(object.Value("columns"), object.Where("columns"));
   for (const Json& row : object.Value("rows")) {
-    section.rows.push_back(Texts(row, object.Where("rows")));
+    section.rows.push_back(ReadTexts(row, object.Where("rows")));
     if (section.rows.back().size() == section.columns.size()) continue;
     ThrowError(object.Where("rows"), StrCat(section.rows.back().size(), " cells"),
                StrCat(section.columns.size(), ", one per column"));
   }
   if (!object.Has("measured")) return;
   for (const auto& [variant, cells] : object.Value("measured").items()) {
-    section.measured.emplace_back(variant, Texts(cells, object.Where("measured")));
+    section.measured.emplace_back(variant, ReadTexts(cells, object.Where("measured")));
     if (section.measured.back().second.size() + 1 == section.columns.size()) continue;
     ThrowError(object.Where("measured"), StrCat(section.measured.back().second.size(), " cells"),
                StrCat(section.columns.size() - 1, ", all columns but the last"));
@@ -63,7 +61,7 @@ CollectionSection ReadSection(ObjectReader object, const fs::path& folder) {
   CollectionSection section;
   section.title = object.Text("title");
   section.suite = SuitePath(object.TextOr("suite", ""), folder);
-  if (object.Has("text")) section.text = Texts(object.Value("text"), object.Where("text"));
+  if (object.Has("text")) section.text = ReadTexts(object.Value("text"), object.Where("text"));
   section.data = object.TextOr("data", "");
   section.times = object.BoolOr("times", false);
   if (object.Has("columns")) ReadRows(object, section);
@@ -107,5 +105,69 @@ std::optional<Collection> FindCollection(const std::string& name) {
 }
 
 std::string SuiteFolderName(const std::string& suite) { return fs::path(suite).stem().string(); }
+
+namespace {
+
+constexpr std::string_view kHashLine = "# scene_sha256 ";
+
+const ShippedTrajectory* Find(const std::string& system, const SuiteSequence& sequence) {
+  const std::string scene = fs::path(sequence.scene).stem().string();
+  for (const ShippedTrajectory& trajectory : ShippedTrajectories()) {
+    if (trajectory.system == system && trajectory.scene == scene) return &trajectory;
+  }
+  return nullptr;
+}
+
+std::string SceneText(const std::string& scene) {
+  const std::vector<synth::ShippedScene> shipped = synth::ShippedScenes();
+  const synth::ShippedScene* found = FindBy(shipped, &synth::ShippedScene::name, scene);
+  return found != nullptr ? found->text : ReadFileBytes(scene);
+}
+
+// Returns why the trajectory was made from other images than the sequence has; empty if it was not.
+std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence& sequence) {
+  if (!sequence.frames.empty()) return "ran on all frames, not " + sequence.frames;
+  if (!sequence.perturb.empty()) return "ran on images without the perturbation";
+  const std::string_view hash = trajectory.text.substr(kHashLine.size(), kHashBytes);
+  if (Sha256Hex(SceneText(sequence.scene)) == hash) return "";
+  return StrCat("ran on the scene file of SHA-256 ", hash.substr(0, 8), ", which has changed");
+}
+
+}  // namespace
+
+std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
+                                               const std::vector<SuiteSequence>& sequences,
+                                               const std::string& where) {
+  std::vector<SuiteSystem::Files> files;
+  std::set<std::string> named;
+  for (const SuiteSequence& sequence : sequences) {
+    if (Find(system, sequence) == nullptr || !named.insert(sequence.name).second) continue;
+    files.push_back({sequence.name, "", ""});
+  }
+  if (!files.empty()) return files;
+  const std::string known =
+      Joined(ShippedTrajectories(), ", ", [](const ShippedTrajectory& trajectory) {
+        return StrCat(trajectory.system, " on ", trajectory.scene);
+      });
+  ThrowError(where, "none", "a file for each sequence; those that come with the program: " + known);
+}
+
+SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
+                               const fs::path& cache) {
+  const ShippedTrajectory& trajectory = *Find(system, sequence);
+  const std::string difference = Difference(trajectory, sequence);
+  if (!difference.empty()) {
+    throw Error(StrCat(kStale, system, " on ", sequence.name, " ", difference));
+  }
+  const fs::path folder = cache / "trajectories" / system;
+  const std::string name =
+      StrCat(trajectory.scene, "-", Sha256Hex(trajectory.text).substr(0, 8), ".tum");
+  std::error_code ignored;
+  if (!fs::exists(folder / name, ignored)) {
+    fs::create_directories(folder);
+    WriteFilesAtomically(folder, {{name, std::string(trajectory.text)}});
+  }
+  return {system, folder / name, ""};
+}
 
 }  // namespace cvo

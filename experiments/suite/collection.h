@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include "experiments/runner/system_files.h"
+#include "experiments/suite/suite.h"
 
 namespace cvo {
 
@@ -50,5 +55,20 @@ std::optional<Collection> FindCollection(const std::string& name);
 
 // Returns the name of the folder for a suite's results, below the collection's folder.
 std::string SuiteFolderName(const std::string& suite);
+
+// Returns an entry for each of the sequences on which the program ships a trajectory of `system`.
+// Throws Error at `where` if there is none.
+std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
+                                               const std::vector<SuiteSequence>& sequences,
+                                               const std::string& where);
+
+// PlanJob::missing starts with this if a shipped trajectory was made from other images.
+inline constexpr std::string_view kStale = "stale: ";
+
+// Writes the trajectory of a sequence from ShippedFilesOf below the cache folder and returns the
+// file. Throws Error, with kStale, if the scene file has changed since the trajectory was made, or
+// if the sequence uses other frames or perturbed images.
+SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
+                               const std::filesystem::path& cache);
 
 }  // namespace cvo

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/suite/parse_suite.h"
-
 #include <algorithm>
 #include <numeric>
 
@@ -10,14 +8,15 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/suite/collection.h"
+#include "experiments/suite/job_input.h"
 #include "experiments/suite/shipped/shipped_suites.h"
-#include "experiments/suite/shipped_trajectories.h"
-#include "experiments/suite/suite_grid.h"
-#include "synth/family/generate.h"
+#include "experiments/suite/suite.h"
+#include "synth/family/family.h"
+#include "synth/scene/description.h"
 #include "synth/scene/object_reader.h"
-#include "synth/scene/shipped_scenes.h"
 
 namespace cvo {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -25,48 +24,99 @@ using synth::ObjectReader;
 
 constexpr int kMaxSeeds = 10000;
 
-std::vector<std::string> TextsOr(ObjectReader& object, const std::string& key,
-                                 std::vector<std::string> fallback) {
-  if (!object.Has(key)) return fallback;
-  const Json& value = object.Value(key);
-  const auto is_text = [](const Json& element) { return element.is_string(); };
-  if (!value.is_array() || !std::all_of(value.begin(), value.end(), is_text)) {
-    ThrowError(object.Where(key), value.dump(), "a list of texts");
+// Reads one object of a suite file, or writes it: one list of fields serves both. A field that is
+// not in the file keeps its value, and an empty one is not written.
+class Fields {
+ public:
+  explicit Fields(ObjectReader& in) : in_(&in) {}
+  explicit Fields(Json& out) : out_(&out) {}
+
+  // Without `known`, any text is valid.
+  void Text(const char* key, std::string& value, const std::vector<std::string>& known = {}) {
+    if (out_ != nullptr && !value.empty()) (*out_)[key] = value;
+    if (in_ == nullptr || !in_->Has(key)) return;
+    value = in_->Text(key);
+    if (known.empty() || std::find(known.begin(), known.end(), value) != known.end()) return;
+    ThrowError(in_->Where(key), Quoted(value) + DidYouMean(value, known), Joined(known, " or "));
   }
-  return value.get<std::vector<std::string>>();
-}
-
-// Empty if the key is absent.
-std::string OneOfOr(ObjectReader& object, const std::string& key,
-                    const std::vector<std::string>& known) {
-  std::string text = object.TextOr(key, "");
-  if (text.empty() || std::find(known.begin(), known.end(), text) != known.end()) return text;
-  ThrowError(object.Where(key), Quoted(text) + DidYouMean(text, known), Joined(known, " or "));
-}
-
-Json ObjectOr(ObjectReader& object, const std::string& key) {
-  if (!object.Has(key)) return Json::object();
-  object.Object(key);  // throws if it is not an object
-  return object.Value(key);
-}
-
-// Resolves a scene file relative to the suite's folder.
-std::string ResolveScene(const std::string& scene, const fs::path& folder) {
-  for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
-    if (shipped.name == scene) return scene;
+  void Texts(const char* key, std::vector<std::string>& value) {
+    if (out_ != nullptr && !value.empty()) (*out_)[key] = value;
+    if (in_ != nullptr && in_->Has(key)) value = ReadTexts(in_->Value(key), in_->Where(key));
   }
+  void Number(const char* key, std::optional<double>& value, const synth::Range& range) {
+    if (out_ != nullptr && value) (*out_)[key] = *value;
+    if (in_ != nullptr && in_->Has(key)) value = in_->Number(key, range);
+  }
+  // A value below 0 is not written.
+  void Integer(const char* key, int& value, const synth::Range& range) {
+    if (out_ != nullptr && value >= 0) (*out_)[key] = value;
+    if (in_ != nullptr) value = in_->IntegerOr(key, range, value);
+  }
+  void Object(const char* key, Json& value) {
+    if (out_ != nullptr && !value.empty()) (*out_)[key] = value;
+    if (in_ == nullptr || !in_->Has(key)) return;
+    in_->Object(key);  // throws if it is not an object
+    value = in_->Value(key);
+  }
+  // A string, or an object that describes a network that detects the boxes, named after its model
+  // by default.
+  void Detections(SuiteSequence& sequence) {
+    constexpr const char* kKey = "detections";
+    if (out_ != nullptr && !sequence.detector.model.empty()) {
+      Fields(out_->emplace(kKey, Json::object()).first.value()).Detector(sequence);
+    } else if (in_ != nullptr && in_->Has(kKey) && in_->Value(kKey).is_object()) {
+      ObjectReader read = in_->Object(kKey);
+      read.Value("names");  // throws if it is missing
+      sequence.detections = fs::path(read.Text("model")).stem().string();
+      Fields(read).Detector(sequence);
+      read.Finish();
+      if (!sequence.detector.model.empty() && !sequence.detections.empty()) return;
+      ThrowError(in_->Where(kKey), "a model without a name", "its file");
+    } else {
+      Text(kKey, sequence.detections);
+    }
+  }
+
+ private:
+  void Detector(SuiteSequence& sequence) {
+    Text("name", sequence.detections);
+    Text("model", sequence.detector.model);
+    Text("names", sequence.detector.names);
+    Text("weights", sequence.detector.weights);
+    Text("input", sequence.detector.input);
+    Number("min_score", sequence.detector.min_score, {0.0, 1.0});
+    Number("max_overlap", sequence.detector.max_overlap, {0.0, 1.0});
+  }
+
+  ObjectReader* in_ = nullptr;
+  Json* out_ = nullptr;
+};
+
+// The fields of a sequence but for its scene or folder.
+void VisitSequence(Fields fields, SuiteSequence& sequence) {
+  fields.Text("name", sequence.name);
+  fields.Text("frames", sequence.frames);
+  fields.Detections(sequence);
+  fields.Texts("classes", sequence.classes);
+  fields.Object("perturb", sequence.perturb);
+  if (sequence.folder.empty()) return;
+  fields.Text("dataset", sequence.dataset, {"kitti", "other"});
+  fields.Text("pair", sequence.pair, {"grey", "colour"});
+  fields.Text("groundtruth", sequence.groundtruth, {"devkit", "interpolated"});
+  fields.Integer("detections_camera", sequence.detections_camera, {0, 3});
+  fields.Number("min_score", sequence.min_score, {-1e6, 1e6});
+  fields.Text("labels", sequence.labels);
+  fields.Object("layout", sequence.layout);
+}
+
+// Resolves a file of a scene or a family relative to the suite's folder.
+template <typename Shipped>
+std::string Resolved(const std::string& name, const std::vector<Shipped>& shipped,
+                     const fs::path& folder) {
+  if (FindBy(shipped, &Shipped::name, name) != nullptr) return name;
   std::error_code ignored;
-  const fs::path file = folder / scene;
-  return fs::exists(file, ignored) ? fs::absolute(file).lexically_normal().string() : scene;
-}
-
-std::string ResolveFamily(const std::string& family, const fs::path& folder) {
-  for (const synth::ShippedFamily& shipped : synth::ShippedFamilies()) {
-    if (shipped.name == family) return family;
-  }
-  std::error_code ignored;
-  const fs::path file = folder / family;
-  return fs::exists(file, ignored) ? fs::absolute(file).lexically_normal().string() : family;
+  const fs::path file = folder / name;
+  return fs::exists(file, ignored) ? fs::absolute(file).lexically_normal().string() : name;
 }
 
 std::string DefaultName(const SuiteSequence& sequence) {
@@ -102,35 +152,13 @@ std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
              "\"FIRST:END\" with seeds from 0 to 4294967295, END not included, or one seed");
 }
 
-// Reads a string, or an object that describes a network that detects the boxes, named after its
-// model by default.
-void ReadDetections(ObjectReader& object, SuiteSequence& sequence) {
-  if (!object.Has("detections") || !object.Value("detections").is_object()) {
-    sequence.detections = object.TextOr("detections", "");
-    return;
-  }
-  ObjectReader read = object.Object("detections");
-  SuiteDetector& detector = sequence.detector;
-  detector.model = read.Text("model");
-  detector.names = read.Text("names");
-  detector.weights = read.TextOr("weights", "");
-  detector.input = read.TextOr("input", "");
-  if (read.Has("min_score")) detector.min_score = read.Number("min_score", {0.0, 1.0});
-  if (read.Has("max_overlap")) detector.max_overlap = read.Number("max_overlap", {0.0, 1.0});
-  sequence.detections = read.TextOr("name", fs::path(detector.model).stem().string());
-  read.Finish();
-  if (detector.model.empty() || sequence.detections.empty()) {
-    ThrowError(object.Where("detections"), "a model without a name", "its file");
-  }
-}
-
 // Appends one sequence for each seed.
 void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSequence>& out) {
   SuiteSequence sequence;
   const std::string family = object.Text("family");
   const auto [first, end] = ReadSeedRange(object);
   synth::FamilyScene scene;
-  scene.family = ResolveFamily(family, folder);
+  scene.family = Resolved(family, synth::ShippedFamilies(), folder);
   if (object.Has("set")) {
     ObjectReader set = object.Object("set");
     for (const auto& [knob, value] : object.Value("set").items()) {
@@ -138,12 +166,10 @@ void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSe
       scene.set.push_back(knob + "=" + text);
     }
   }
-  const std::string name = object.TextOr("name", fs::path(family).stem().string());
-  sequence.frames = object.TextOr("frames", "");
-  ReadDetections(object, sequence);
-  sequence.classes = TextsOr(object, "classes", {});
-  sequence.perturb = ObjectOr(object, "perturb");
+  sequence.name = fs::path(family).stem().string();
+  VisitSequence(Fields(object), sequence);
   object.Finish();
+  const std::string name = sequence.name;
   for (std::uint64_t seed = first; seed < end; ++seed) {
     if (out.size() > kMaxRuns) return;  // too many, which CheckSuite refuses
     scene.seed = static_cast<std::uint32_t>(seed);
@@ -156,24 +182,12 @@ void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSe
 SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
   SuiteSequence sequence;
   if (object.OneOf({"scene", "folder", "family"}) == "scene") {
-    sequence.scene = ResolveScene(object.Text("scene"), folder);
+    sequence.scene = Resolved(object.Text("scene"), synth::ShippedScenes(), folder);
   } else {
     sequence.folder = object.Text("folder");
   }
-  sequence.name = object.TextOr("name", DefaultName(sequence));
-  sequence.frames = object.TextOr("frames", "");
-  ReadDetections(object, sequence);
-  sequence.classes = TextsOr(object, "classes", {});
-  sequence.perturb = ObjectOr(object, "perturb");
-  if (!sequence.folder.empty()) {
-    sequence.dataset = OneOfOr(object, "dataset", {"kitti", "other"});
-    sequence.pair = OneOfOr(object, "pair", {"grey", "colour"});
-    sequence.groundtruth = object.TextOr("groundtruth", sequence.groundtruth);
-    sequence.detections_camera = object.IntegerOr("detections_camera", {0, 3}, -1);
-    if (object.Has("min_score")) sequence.min_score = object.Number("min_score", {-1e6, 1e6});
-    sequence.labels = object.TextOr("labels", "");
-    sequence.layout = ObjectOr(object, "layout");
-  }
+  sequence.name = DefaultName(sequence);
+  VisitSequence(Fields(object), sequence);
   object.Finish();
   return sequence;
 }
@@ -234,25 +248,31 @@ std::vector<std::vector<std::string>> ReadOracles(ObjectReader& object) {
     ThrowError(object.Where("oracles"), value.dump(), "a list of lists of switches");
   }
   for (const Json& switches : value) {
-    const std::string index = std::to_string(oracles.size());
-    const Json holder = Json::object({{index, switches}});
-    ObjectReader row(holder, object.Where("oracles"), "");
-    oracles.push_back(TextsOr(row, index, {}));
+    oracles.push_back(ReadTexts(switches, StrCat(object.Where("oracles"), ".", oracles.size())));
   }
   return oracles;
 }
 
 SuiteTable ReadTable(ObjectReader table) {
   SuiteTable read;
-  read.rows = TextsOr(table, "rows", read.rows);
   table.Value("metrics");  // throws if it is missing
-  read.metrics = TextsOr(table, "metrics", {});
-  read.reference = table.TextOr("reference", "");
+  Fields fields(table);
+  fields.Texts("rows", read.rows);
+  fields.Texts("metrics", read.metrics);
+  fields.Text("reference", read.reference);
   table.Finish();
   return read;
 }
 
 }  // namespace
+
+std::vector<std::string> ReadTexts(const Json& value, const std::string& where) {
+  const auto is_text = [](const Json& element) { return element.is_string(); };
+  if (!value.is_array() || !std::all_of(value.begin(), value.end(), is_text)) {
+    ThrowError(where, value.dump(), "a list of texts");
+  }
+  return value.get<std::vector<std::string>>();
+}
 
 Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::path& folder) {
   ObjectReader object(json, where, "");
@@ -267,9 +287,10 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
       suite.sequences.push_back(ReadSequence(std::move(sequence), folder));
     }
   }
-  suite.variants = TextsOr(object, "variants", {});
+  Fields fields(object);
+  fields.Texts("variants", suite.variants);
   suite.seeds = ReadSeeds(object);
-  suite.options = ObjectOr(object, "options");
+  fields.Object("options", suite.options);
   suite.grid = ReadGrid(object);
   suite.grid_one_at_a_time = object.BoolOr("grid_one_at_a_time", false);
   if (object.Has("oracles")) suite.oracles = ReadOracles(object);
@@ -311,7 +332,44 @@ Suite LoadSuite(const std::string& suite) {
   const std::string meant = DidYouMean(suite, names);
   ThrowError("suite " + Quoted(suite), "neither a shipped suite nor a file" + meant,
              "a JSON file or " + (meant.empty() ? OneOfKnown(suite, names)
-                                                : "one that `clustervo experiment list` lists"));
+                                                : "one that `clustervo list suites` lists"));
+}
+
+namespace {
+
+Json SystemToJson(const SuiteSystem& system) {
+  if (system.shipped) return {{"name", system.name}};
+  Json files = Json::array();
+  for (const SuiteSystem::Files& file : system.files) {
+    files.push_back({{"sequence", file.sequence}, {"camera", file.camera}});
+    if (!file.objects.empty()) files.back()["objects"] = file.objects;
+  }
+  return {{"name", system.name}, {"files", std::move(files)}};
+}
+
+}  // namespace
+
+Json SuiteToJson(const Suite& suite) {
+  Json json = {{"name", suite.name}, {"about", suite.about}, {"sequences", Json::array()}};
+  for (SuiteSequence sequence : suite.sequences) {
+    Json& written = json["sequences"].emplace_back(Json::object());
+    if (!sequence.scene.empty()) written["scene"] = sequence.scene;
+    if (!sequence.folder.empty()) written["folder"] = sequence.folder;
+    VisitSequence(Fields(written), sequence);
+  }
+  json["variants"] = suite.variants;
+  json["seeds"] = suite.seeds;
+  json["options"] = suite.options;
+  json["grid"] = Json::object();
+  for (const GridAxis& axis : suite.grid) json["grid"][axis.path] = axis.values;
+  json["grid_one_at_a_time"] = suite.grid_one_at_a_time;
+  json["oracles"] = suite.oracles;
+  json["systems"] = Json::array();
+  for (const SuiteSystem& system : suite.systems) json["systems"].push_back(SystemToJson(system));
+  if (suite.timed_threads > 0) json["timed_threads"] = suite.timed_threads;
+  json["landmarks"] = suite.landmarks;
+  json["table"] = ToJson(suite.table);
+  return json;
 }
 
 }  // namespace cvo

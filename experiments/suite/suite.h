@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/files/json/json.h"
 #include "reports/results/plan_file.h"
 
 namespace cvo {
@@ -74,6 +76,8 @@ struct SuiteSystem {
 
 // How `experiment table` tabulates the results.
 using SuiteTable = reports::PlanTable;
+// One run that a suite requests; `entry` is the index of its sequence.
+using reports::PlanJob;
 
 // Maximum number of runs of one suite. A suite is planned as a whole.
 inline constexpr std::size_t kMaxRuns = 100'000;
@@ -97,5 +101,40 @@ struct Suite {
 
 // Returns the common split of all sequences, as above, or "mixed".
 std::string SplitOf(const Suite& suite);
+
+// Loads a shipped suite by name, or a suite file (experiments/configs/README.md). Parsing is
+// strict: throws Error naming the file and the key of anything unknown, missing, of the wrong type
+// or out of range.
+Suite LoadSuite(const std::string& suite);
+
+// Parses and checks a suite. Paths of scene files are relative to `folder`; `where` names the
+// source in errors.
+Suite ParseSuite(const Json& json, const std::string& where,
+                 const std::filesystem::path& folder = {});
+// The same without CheckSuite: validates keys and types only, for a suite that has been checked
+// before.
+Suite ReadCheckedSuite(const Json& json, const std::string& where,
+                       const std::filesystem::path& folder = {});
+
+// Returns the suite as a file that ParseSuite reads back, with everything resolved.
+Json SuiteToJson(const Suite& suite);
+
+// Throws Error naming `where` and the key if the suite cannot be run: an unknown name, an invalid
+// option, or grid points that its table would mix.
+void CheckSuite(const Suite& suite, const std::string& where);
+
+// Changes made to a suite on the command line: --seeds N (seeds 1 to N; 0: the suite's own),
+// --frames and --set PATH=VALUE. A path in the suite's grid takes only the given value;
+// "scene.PATH" and "perturb.PATH" apply to every sequence; any other path is an estimator option.
+// Override throws Error for changes that the suite does not allow.
+struct SuiteOverrides {
+  int seeds = 0;
+  std::vector<std::string> set;
+  std::string frames = {};  // "A:B", for every sequence; empty: the suite's own
+};
+Suite Override(Suite suite, const SuiteOverrides& overrides);
+
+// Returns a list of texts. Throws Error naming `where` for anything else.
+std::vector<std::string> ReadTexts(const Json& value, const std::string& where);
 
 }  // namespace cvo

@@ -3,6 +3,7 @@
 #include "experiments/yolo/detector_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/dnn.hpp>
@@ -11,12 +12,59 @@
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "experiments/yolo/letterbox.h"
 
 namespace cvo {
+namespace fs = std::filesystem;
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::array<int, 3> kCells_px = {8, 16, 32};
+
+int CellCount(const cv::Size& size) {
+  int count = 0;
+  for (const int cell : kCells_px) count += (size.width / cell) * (size.height / cell);
+  return count;
+}
+
+// The output as a matrix of floats with one box per row.
+cv::Mat RowsOf(const cv::Mat& output, OutputLayout layout) {
+  if (layout == OutputLayout::kDarknet) return output;
+  const cv::Mat plane(output.size[1], output.size[2], CV_32F, const_cast<uchar*>(output.data));
+  return layout == OutputLayout::kYolov8 ? cv::Mat(plane.t()) : plane;
+}
+
+struct CenteredBox {
+  double x, y, width, height;
+};
+
+// Decodes a box relative to its cell. The cells are ordered by size, the smallest first, then row
+// by row.
+CenteredBox FromCell(const CenteredBox& box, int row, const cv::Size& size) {
+  for (const int cell : kCells_px) {
+    const int columns = size.width / cell;
+    const int count = columns * (size.height / cell);
+    if (row >= count) {
+      row -= count;
+      continue;
+    }
+    return {(box.x + row % columns) * cell, (box.y + row / columns) * cell,
+            std::exp(box.width) * cell, std::exp(box.height) * cell};
+  }
+  throw Error("FromCell: no such cell");
+}
+
+CenteredBox ToPixels(const CenteredBox& box, OutputLayout layout, int row, const cv::Size& size) {
+  switch (layout) {
+    case OutputLayout::kDarknet:
+      return {box.x * size.width, box.y * size.height, box.width * size.width,
+              box.height * size.height};
+    case OutputLayout::kYolox:
+      return FromCell(box, row, size);
+    case OutputLayout::kYolov5:
+    case OutputLayout::kYolov8:
+      return box;
+  }
+  throw Error("OutputLayout: not one of the enumerators");
+}
 
 std::vector<std::string> ReadNames(const fs::path& path) {
   const TextFile file(path);
@@ -75,6 +123,81 @@ cv::dnn::Net ReadNetwork(const DetectorFiles& files) {
 }
 
 }  // namespace
+
+ImageBox Letterbox::ToImage(const ImageBox& in_input) const {
+  return {(in_input.left_px - offset_x_px) / scale, (in_input.top_px - offset_y_px) / scale,
+          (in_input.right_px - offset_x_px) / scale, (in_input.bottom_px - offset_y_px) / scale};
+}
+
+Letterbox FillInput(const cv::Mat& image, const cv::Size& size, Placement placement,
+                    cv::Mat& input) {
+  constexpr int kFill = 114;
+  Letterbox box;
+  box.scale = std::min(static_cast<double>(size.width) / image.cols,
+                       static_cast<double>(size.height) / image.rows);
+  const cv::Size scaled(std::max(1, static_cast<int>(std::lround(box.scale * image.cols))),
+                        std::max(1, static_cast<int>(std::lround(box.scale * image.rows))));
+  const cv::Point corner =
+      placement == Placement::kTopLeft
+          ? cv::Point(0, 0)
+          : cv::Point((size.width - scaled.width) / 2, (size.height - scaled.height) / 2);
+  box.offset_x_px = corner.x;
+  box.offset_y_px = corner.y;
+  input.create(size, CV_8UC3);
+  input.setTo(cv::Scalar::all(kFill));
+  cv::resize(image, input(cv::Rect(corner, scaled)), scaled, 0.0, 0.0, cv::INTER_LINEAR);
+  return box;
+}
+
+std::optional<OutputLayout> LayoutOf(const std::vector<int>& output_sizes, const cv::Size& size) {
+  if (output_sizes.size() == 2) return OutputLayout::kDarknet;
+  if (output_sizes.size() != 3 || output_sizes[0] != 1) return std::nullopt;
+  const int cells = CellCount(size);
+  if (output_sizes[1] == cells) return OutputLayout::kYolox;
+  if (output_sizes[1] == 3 * cells) return OutputLayout::kYolov5;
+  if (output_sizes[2] == cells) return OutputLayout::kYolov8;
+  return std::nullopt;
+}
+
+std::vector<RawBox> DecodeOutput(const cv::Mat& output, OutputLayout layout, const cv::Size& size,
+                                 int categories, double min_score) {
+  const cv::Mat rows = RowsOf(output, layout);
+  const bool has_objectness = layout != OutputLayout::kYolov8;
+  const int first = has_objectness ? 5 : 4;
+  if (rows.cols != first + categories) {
+    ThrowError("model", StrCat(rows.cols - first, " classes"),
+               StrCat(categories, ", as many as names"));
+  }
+  std::vector<RawBox> boxes;
+  for (int i = 0; i < rows.rows; ++i) {
+    const float* row = rows.ptr<float>(i);
+    const float* best = std::max_element(row + first, row + rows.cols);
+    // Darknet's class scores already include objectness.
+    const bool times_objectness = has_objectness && layout != OutputLayout::kDarknet;
+    const double score = *best * (times_objectness ? static_cast<double>(row[4]) : 1.0);
+    if (!(score >= min_score)) continue;
+    const CenteredBox box = ToPixels({row[0], row[1], row[2], row[3]}, layout, i, size);
+    boxes.push_back({{box.x - 0.5 * box.width, box.y - 0.5 * box.height, box.x + 0.5 * box.width,
+                      box.y + 0.5 * box.height},
+                     static_cast<int>(best - (row + first)),
+                     score});
+  }
+  return boxes;
+}
+
+std::vector<RawBox> SuppressOverlaps(std::vector<RawBox> boxes, double max_overlap) {
+  std::stable_sort(boxes.begin(), boxes.end(),
+                   [](const RawBox& a, const RawBox& b) { return a.score > b.score; });
+  std::vector<RawBox> kept;
+  for (const RawBox& box : boxes) {
+    const bool hidden = std::any_of(kept.begin(), kept.end(), [&](const RawBox& better) {
+      return better.category == box.category &&
+             IntersectionOverUnion(better.box, box.box) > max_overlap;
+    });
+    if (!hidden) kept.push_back(box);
+  }
+  return kept;
+}
 
 std::string KittiClass(const std::string& name) {
   static const std::map<std::string, std::string> kClasses = {

@@ -7,15 +7,12 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/text/number.h"
+#include "reports/results/contract_text.h"
 #include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
-
-Json RoundedList(const std::vector<double>& values, int digits) {
-  Json list = Json::array();
-  for (const double value : values) list.push_back(Rounded(value, digits));
-  return list;
-}
 
 std::string NumberText(double value, int digits) {
   if (value == 0.0 || !std::isfinite(value)) return value == 0.0 ? "0" : "no number";
@@ -90,29 +87,31 @@ std::string Slug(const std::string& text) {
   return slug;
 }
 
-std::string PlotText(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '\n':
-      case '\r':
-      case '\t':
-        escaped += ' ';
-        break;
-      default:
-        escaped += c;
+std::string RelationText(const std::vector<const Column*>& columns) {
+  using Group = std::pair<std::string, std::vector<std::string>>;  // relation, labels
+  std::vector<Group> groups;
+  for (const Column* column : columns) {
+    if (!ShownAs(column->metric, column->unit).is_error) continue;
+    const std::string relation = RelationText(column->contract);
+    AddOnce(column->label, FindOrAdd(groups, &Group::first, {relation, {}}).second);
+  }
+  return Joined(groups, "; ",
+                [](const Group& group) { return StrCat(Listed(group.second), ": ", group.first); });
+}
+
+std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns) {
+  std::vector<std::string> meanings;
+  for (const Row& row : table.rows) {
+    for (const std::size_t column : columns) {
+      const auto& interval = row.cells[column].interval;
+      if (interval) AddOnce(interval->meaning, meanings);
     }
   }
-  return escaped;
+  if (meanings.empty()) return "No intervals: there is nothing to resample.";
+  constexpr std::size_t kMost = 3;
+  const bool more = meanings.size() > kMost;
+  if (more) meanings.resize(kMost);
+  return StrCat("Intervals: ", Joined(meanings, "; "), more ? "; others in the table." : ".");
 }
 
 }  // namespace cvo::reports

@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/files/json/json.h"
-#include "core/files/text/number.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
 
-// Rounds to significant digits, to keep pages with many points small.
-inline double Rounded(double value, int digits = 4) { return RoundedTo(value, digits); }
-Json RoundedList(const std::vector<double>& values, int digits = 4);
+// Numbers and texts for readers of figures and pages.
 
 // A number for sentences: `digits` significant digits, no exponent.
 std::string NumberText(double value, int digits = 3);
@@ -35,15 +30,20 @@ std::string AxisTitle(const Column& column);
 // The value of a cell with its interval: "0.0213 m (0.018 to 0.025)".
 std::string CellValueText(const Cell& cell, const Column& column);
 
+// Describes for a title how metrics are measured. Metrics that are measured alike are listed
+// together: "object ATE: aligned in the world frame by the camera; camera T.RPE: delta all, not
+// aligned". Empty for shares and counts.
+std::string RelationText(const std::vector<const Column*>& columns);
+
+// Describes the intervals of these columns, each wording once.
+std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns);
+
 // Makes the first letter upper case.
 std::string Capitalised(std::string text);
 // Joins texts to a list: "a", "a and b", "a, b and c".
 std::string Listed(const std::vector<std::string>& texts);
 
-// Reduces a text to lower-case letters, digits and "-", for ids. At most 80 characters.
+// Reduces a text to lower-case letters, digits and "-", for file names. At most 80 characters.
 std::string Slug(const std::string& text);
-
-// Escapes a text that Plotly draws, since Plotly interprets some HTML tags.
-std::string PlotText(const std::string& text);
 
 }  // namespace cvo::reports

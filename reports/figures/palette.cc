@@ -10,8 +10,7 @@
 namespace cvo::reports {
 namespace {
 
-// Variants with a fixed style, so that they look the same in every suite. The most used come first,
-// since the first ones never share a colour.
+// Variants with a fixed look. The most used come first, since the first ones never share a colour.
 constexpr std::array kKnown = {"full",
                                "2d",
                                "2d3d",
@@ -27,60 +26,42 @@ constexpr std::array kKnown = {"full",
                                "clustervo",
                                "no_identity"};
 
-constexpr std::array kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                 "#e69f00", "#56b4e9", "#a0892c", "#7a5195"};
-constexpr std::array kSymbols = {"circle", "square",        "diamond", "triangle-up",
-                                 "cross",  "triangle-down", "star",    "hexagon"};
-constexpr std::array kDashes = {"solid", "dash", "dashdot", "longdash"};
-
-Style StyleAt(std::size_t place) {
-  return {kColours[place % kColours.size()],
-          kSymbols[(place + place / kSymbols.size()) % kSymbols.size()],
-          kDashes[place / kColours.size() % kDashes.size()]};
-}
-
-int Hex(const std::string& text, std::size_t at) {
-  return std::stoi(text.substr(at, 2), nullptr, 16);
+std::size_t KnownPlace(const std::string& name) {
+  return static_cast<std::size_t>(std::find(kKnown.begin(), kKnown.end(), name) - kKnown.begin());
 }
 
 }  // namespace
 
 Palette::Palette(const std::vector<std::string>& names) {
   std::vector<std::size_t> taken;
-  for (const std::string& name : names) {
-    const auto known = std::find(kKnown.begin(), kKnown.end(), name);
-    if (known != kKnown.end()) taken.push_back(static_cast<std::size_t>(known - kKnown.begin()));
-  }
+  for (const std::string& name : names) taken.push_back(KnownPlace(name));
   std::size_t next = 0;
   for (const std::string& name : names) {
     if (std::find(names_.begin(), names_.end(), name) != names_.end()) continue;
-    const auto known = std::find(kKnown.begin(), kKnown.end(), name);
     names_.push_back(name);
-    if (known != kKnown.end()) {
-      styles_.push_back(StyleAt(static_cast<std::size_t>(known - kKnown.begin())));
-      continue;
+    std::size_t place = KnownPlace(name);
+    if (place == kKnown.size()) {
+      while (std::find(taken.begin(), taken.end(), next) != taken.end()) ++next;
+      place = next++;
     }
-    while (std::find(taken.begin(), taken.end(), next) != taken.end()) ++next;
-    styles_.push_back(StyleAt(next++));
+    places_.push_back(place);
   }
 }
 
-const Style& Palette::Of(const std::string& name) const {
+Look Palette::Line(const std::string& name, double width) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   Require(found != names_.end(), "Palette: a name that it was not made for");
-  return styles_[static_cast<std::size_t>(found - names_.begin())];
+  const auto place = static_cast<int>(places_[static_cast<std::size_t>(found - names_.begin())]);
+  constexpr int kDashes = 4;
+  return {1 + place % kChartColours, Symbol::kNone, place / kChartColours % kDashes, width};
 }
 
-Palette PaletteOf(const SuitePlan& plan, const std::vector<std::string>& others) {
-  std::vector<std::string> names;
-  for (const PlannedRun& run : plan.runs) names.push_back(KeyOf(run, "variant"));
-  names.insert(names.end(), others.begin(), others.end());
-  return Palette(names);
-}
-
-std::string Faded(const std::string& colour, double opacity) {
-  return StrCat("rgba(", Hex(colour, 1), ",", Hex(colour, 3), ",", Hex(colour, 5), ",", opacity,
-                ")");
+Look Palette::Points(const std::string& name) const {
+  Look look = Line(name);
+  const int place = look.colour - 1 + kChartColours * look.dash;
+  constexpr int kSymbols = 8;
+  look.symbol = static_cast<Symbol>(1 + (place + look.dash) % kSymbols);
+  return look;
 }
 
 }  // namespace cvo::reports

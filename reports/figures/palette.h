@@ -5,41 +5,24 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/suite_runs.h"
+#include "reports/chart/chart.h"
 
 namespace cvo::reports {
 
-// The look of a variant, which is the same in every figure. Colours are those of Okabe and Ito,
-// which colour-blind people can tell apart. Symbols differ as well, and lines are dashed once the
-// colours repeat.
-struct Style {
-  std::string colour;  // "#rrggbb"
-  std::string symbol;  // name of a Plotly marker
-  std::string dash;    // name of a Plotly line style
-};
-
-// The colour of the truth in every figure.
-inline constexpr const char* kTruthColour = "#8a8a8a";
-// The colour of shading behind the data. It is visible on white and on black.
-inline constexpr const char* kShade = "rgba(128,128,128,0.18)";
-
-// Assigns a style to each name. Variants that ship with the program have a fixed style; all other
-// names get the remaining styles in the order given.
+// Gives each name a look that is the same in every figure: colour and symbol, and dashes once the
+// colours repeat. Variants that ship with the program have a fixed look; all other names get the
+// remaining ones in the order given.
 class Palette {
  public:
   explicit Palette(const std::vector<std::string>& names);
 
-  const Style& Of(const std::string& name) const;
+  // Look without a symbol, for lines, and with one, for points.
+  Look Line(const std::string& name, double width = 1.2) const;
+  Look Points(const std::string& name) const;
 
  private:
   std::vector<std::string> names_;
-  std::vector<Style> styles_;
+  std::vector<std::size_t> places_;  // in the order of all looks
 };
-
-// The palette of the variants of a suite, followed by other names.
-Palette PaletteOf(const SuitePlan& plan, const std::vector<std::string>& others = {});
-
-// Converts "#rrggbb" to "rgba(r,g,b,opacity)".
-std::string Faded(const std::string& colour, double opacity);
 
 }  // namespace cvo::reports

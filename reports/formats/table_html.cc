@@ -5,12 +5,10 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/files/text/escape.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
-#include "reports/formats/digits.h"
-#include "reports/formats/table_texts.h"
 #include "reports/results/metric_catalogue.h"
+#include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
 namespace {

@@ -15,11 +15,7 @@ namespace cvo::reports {
 // unique within a page.
 std::string TableHtml(const Table& table, const std::string& id = "table");
 
-// Returns the same as a standalone page: no scripts, nothing from the network, light and dark
-// style.
-std::string TableHtmlPage(const Table& table);
-
-// Returns a page of that kind with the given body.
+// Returns a page with the given body: no scripts, nothing from the network, light and dark style.
 std::string HtmlPage(const std::string& title, const std::string& body);
 
 }  // namespace cvo::reports

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/error.h"
-#include "core/files/text/escape.h"
 #include "core/files/text/utf8.h"
 #include "reports/formats/table_html.h"
 
@@ -43,8 +42,6 @@ tbody tr.ours, tbody tr.ours th:first-child { background: var(--stripe); }
 )";
 
 }  // namespace
-
-std::string TableHtmlPage(const Table& table) { return HtmlPage(table.title, TableHtml(table)); }
 
 std::string HtmlPage(const std::string& page_title, const std::string& body) {
   const std::string title = HtmlEscaped(Printable(page_title));

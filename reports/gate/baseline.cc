@@ -2,17 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/gate/baseline.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "core/base/error.h"
 #include "reports/results/metric_catalogue.h"
+#include "reports/results/timing.h"
+#include "reports/tables/cells.h"
 
 namespace cvo::reports {
 namespace {
 
+namespace fs = std::filesystem;
+
 void CheckJobs(const Baseline& baseline, const std::string& where) {
   std::set<std::string> metrics;
   for (const BaselineMetric& metric : baseline.metrics) metrics.insert(metric.name);
-  std::set<std::pair<std::map<std::string, std::string>, std::uint64_t>> seen;
+  std::set<std::pair<RunKeys, std::uint64_t>> seen;
   std::size_t values = 0;
   for (const BaselineJob& job : baseline.jobs) {
     if (!job.keys.contains("variant") || !job.keys.contains("sequence")) {
@@ -34,12 +41,113 @@ void CheckJobs(const Baseline& baseline, const std::string& where) {
   if (values == 0) ThrowError(where, "no value", "something to hold runs against");
 }
 
+std::vector<std::uint64_t> GateSeeds(const GateRuns& runs, std::size_t gate_seeds,
+                                     const std::string& where) {
+  std::set<std::uint64_t> all;
+  for (const SuiteRun& run : runs.runs) all.insert(run.planned.seed);
+  std::vector<std::uint64_t> seeds(all.begin(), all.end());
+  if (seeds.size() < 2) {
+    ThrowError(where, StrCat(seeds.size(), " seed"),
+               "at least two: tolerances are derived from their spread");
+  }
+  if (gate_seeds > seeds.size()) {
+    ThrowError(where, StrCat(seeds.size(), " seeds"),
+               StrCat("the ", gate_seeds, " that checked runs must have, or more"));
+  }
+  if (gate_seeds > 0) seeds.resize(gate_seeds);
+  return seeds;
+}
+
+void AddContract(const RunSummary& run, const MetricValue& value, BaselineMetric& metric) {
+  const Contract contract = GateContract(run, value);
+  const auto [known, is_new] = metric.contracts.try_emplace(run.sequence.type, contract);
+  if (metric.contracts.size() == 1 && is_new) metric.unit = value.unit;
+  if (known->second != contract || metric.unit != value.unit) {
+    ThrowError(StrCat(run.file.string(), ", metric ", value.name), "another contract or unit",
+               StrCat("that of the other runs on ", run.sequence.type));
+  }
+}
+
+std::vector<BaselineMetric> CollectMetrics(const GateRuns& runs, const std::string& where) {
+  std::vector<BaselineMetric> metrics;
+  for (const std::string& name : runs.metrics) {
+    BaselineMetric metric{name, MetricUnit::kOne, {}};
+    for (const SuiteRun& run : runs.runs) {
+      const MetricValue* value = FindMetric(*run.run, name);
+      if (value != nullptr) AddContract(*run.run, *value, metric);
+    }
+    if (!metric.contracts.empty()) metrics.push_back(std::move(metric));
+  }
+  if (metrics.empty()) {
+    ThrowError(where, "no metric of the suite's table in any result",
+               "accuracy or coverage of camera, objects or clustering");
+  }
+  return metrics;
+}
+
+BaselineJob MakeJob(const SuiteRun& run, const std::map<std::string, double>& ratios) {
+  if (!run.run) {
+    ThrowError(RunLabel(run.planned.keys, run.planned.seed),
+               run.state + (run.message.empty() ? "" : ": " + run.message),
+               "a suite whose jobs are all done: a baseline has no holes");
+  }
+  const RunSequence& sequence = run.run->sequence;
+  BaselineJob job{.keys = run.planned.keys,
+                  .seed = run.planned.seed,
+                  .type = sequence.type,
+                  .content = sequence.content,
+                  .frames = sequence.frames,
+                  .status = run.state,
+                  .values = {},
+                  .time_ratio = {}};
+  for (const MetricValue& metric : run.run->metrics) job.values[metric.name] = metric.value;
+  const auto ratio = ratios.find(run.planned.job);
+  if (ratio != ratios.end()) job.time_ratio = std::round(1e4 * ratio->second) / 1e4;
+  return job;
+}
+
+// Zero if it is not known.
+double EstimateTimeMs(const fs::path& file) {
+  try {
+    const auto timing = ReadRecord<TimingData>(file);
+    const auto estimate = timing.stages.find("estimate");
+    return estimate == timing.stages.end() ? 0.0 : estimate->second.median_ms;
+  } catch (const Error&) {
+    return 0.0;
+  }
+}
+
+std::map<std::string, double> TimeRatios(const fs::path& folder,
+                                         const std::vector<SuiteRun>& runs) {
+  std::map<std::pair<RunKeys, std::uint64_t>, double> times_ms;
+  for (const SuiteRun& run : runs) {
+    const double time_ms = EstimateTimeMs(folder / "jobs" / run.planned.job / "timing.json");
+    if (run.run && time_ms > 0.0) times_ms[{run.planned.keys, run.planned.seed}] = time_ms;
+  }
+  std::map<std::string, double> ratios;
+  for (const SuiteRun& run : runs) {
+    RunKeys reference_keys = run.planned.keys;
+    reference_keys["variant"] = kTimeReference;
+    const auto time = times_ms.find({run.planned.keys, run.planned.seed});
+    const auto reference = times_ms.find({reference_keys, run.planned.seed});
+    if (time == times_ms.end() || reference == times_ms.end() || time == reference) continue;
+    ratios[run.planned.job] = time->second / reference->second;
+  }
+  return ratios;
+}
+
 }  // namespace
 
 const char* BaselineMetric::Better(const std::string& name) {
   const MetricEntry* entry = FindEntry(name);
   if (!entry) ThrowError("baseline, metric " + name, "no rule", "a metric that the gate knows");
   return entry->higher_is_better() ? "higher" : "lower";
+}
+
+Baseline ReadBaseline(const fs::path& file) {
+  auto baseline = ReadRecord<Baseline>(file);
+  CheckJobs(baseline, file.string());
+  return baseline;
 }
 
 std::string BaselineText(const Baseline& baseline) {
@@ -58,10 +166,44 @@ std::string BaselineText(const Baseline& baseline) {
   return text + "\n}\n";
 }
 
-Baseline ReadBaseline(const std::filesystem::path& file) {
-  auto baseline = ReadRecord<Baseline>(file);
-  CheckJobs(baseline, file.string());
+Baseline MakeBaseline(const fs::path& folder, std::size_t gate_seeds) {
+  const GateRuns runs = ReadGateRuns(folder);
+  if (runs.runs.empty()) ThrowError(folder.string(), "no job of a variant", "at least one");
+  Baseline baseline;
+  for (const SuiteRun& run : runs.runs) baseline.jobs.push_back(MakeJob(run, runs.time_ratios));
+  const BuildInfo& build = runs.runs.front().run->build;
+  baseline.suite = runs.suite;
+  baseline.build = {build.identity, build.commit, build.Platform()};
+  baseline.seeds = GateSeeds(runs, gate_seeds, folder.string());
+  baseline.metrics = CollectMetrics(runs, folder.string());
   return baseline;
+}
+
+GateRuns ReadGateRuns(const fs::path& folder, std::vector<std::string> metrics) {
+  SuitePlan plan = ReadPlan(folder / "plan.json");
+  std::erase_if(plan.runs, [](const PlannedRun& run) { return run.system; });
+  if (metrics.empty()) metrics = WithCoverage(plan.metrics);
+  std::erase_if(metrics, [](const std::string& metric) { return !FindEntry(metric); });
+  std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);
+  std::map<std::string, double> ratios = TimeRatios(folder, runs);
+  return {plan.name, std::move(metrics), std::move(runs), std::move(ratios)};
+}
+
+Contract GateContract(const RunSummary& run, const MetricValue& metric) {
+  return WithTruthOf(ColumnContract(metric.contract, run.sequence.range()), metric.contract);
+}
+
+std::string SceneLabel(const RunKeys& keys) {
+  std::string label = keys.at("sequence");
+  for (const auto& [key, value] : keys) {
+    if (key == "variant" || key == "sequence" || value == "none") continue;
+    label += StrCat(", ", key, " ", value);
+  }
+  return label;
+}
+
+std::string RunLabel(const RunKeys& keys, std::uint64_t seed) {
+  return StrCat(keys.at("variant"), " on ", SceneLabel(keys), ", seed ", seed);
 }
 
 }  // namespace cvo::reports

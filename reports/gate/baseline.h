@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/contract.h"
+#include "reports/results/suite_runs.h"
 
 namespace cvo::reports {
+
+using RunKeys = std::map<std::string, std::string>;  // PlannedRun::keys
 
 struct BaselineMetric {
   std::string name;  // a name that FindEntry knows
@@ -32,7 +34,7 @@ struct BaselineMetric {
 
 // The results of one run when the baseline was written.
 struct BaselineJob {
-  std::map<std::string, std::string> keys;  // PlannedRun::keys
+  RunKeys keys;
   std::uint64_t seed = 0;
   std::string type;  // dataset type
   // Hash of its images; distinguishes a different rendering from a different estimate.
@@ -57,14 +59,12 @@ struct BaselineJob {
 
 struct BaselineBuild {
   std::string identity;
-  std::string cpu_level = "avx2";  // of the build; absent from older files, which needed this one
-  std::string commit;              // for human readers
-  std::string platform;            // BuildInfo::Platform; absent from older files
+  std::string commit;    // for human readers
+  std::string platform;  // BuildInfo::Platform; absent from older files
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
     archive.Field("identity", self.identity);
-    archive.Added("cpu_level", self.cpu_level);
     archive.Field("commit", self.commit);
     archive.Optional("platform", self.platform);
   }
@@ -100,5 +100,37 @@ Baseline ReadBaseline(const std::filesystem::path& file);
 // Returns the text of its file with one line per metric and per run, so that an updated file
 // differs only where runs do.
 std::string BaselineText(const Baseline& baseline);
+
+// Makes a baseline from a folder that a suite was run to. `gate_seeds` is how many of its seeds,
+// the lowest first, must be among checked runs (0: all). Throws Error naming the obstacle: a job
+// that is not done, contracts that differ, fewer than two seeds, or no metric.
+Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seeds = 0);
+
+// Reference variant for times: across computers and days, only ratios are comparable.
+inline constexpr char kTimeReference[] = "static";
+
+// The runs of a folder that the gate considers: those of the program's own variants.
+struct GateRuns {
+  std::string suite;
+  std::vector<std::string> metrics;  // those read, as far as FindEntry knows them
+  std::vector<SuiteRun> runs;
+  // By job, the median time of its estimate divided by that of kTimeReference with otherwise the
+  // same keys and seed. Without jobs for which either is not known, and those of kTimeReference.
+  std::map<std::string, double> time_ratios;
+};
+
+// Reads the runs with these metrics or, if there are none, with the table's and their coverage.
+// Throws Error as ReadPlan does.
+GateRuns ReadGateRuns(const std::filesystem::path& folder, std::vector<std::string> metrics = {});
+
+// Returns the contract that must be equal for runs on one dataset type to be comparable.
+Contract GateContract(const RunSummary& run, const MetricValue& metric);
+
+// Returns a label such as "indoor_1, detections good": the keys other than the variant, unless they
+// are "none".
+std::string SceneLabel(const RunKeys& keys);
+
+// Returns a label such as "2d3d on indoor_1, detections good, seed 2".
+std::string RunLabel(const RunKeys& keys, std::uint64_t seed);
 
 }  // namespace cvo::reports

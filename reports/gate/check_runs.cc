@@ -3,98 +3,181 @@
 #include "reports/gate/check_runs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/text_file.h"
-#include "reports/gate/compare.h"
-#include "reports/gate/gate_runs.h"
-#include "reports/tables/table_parts.h"
+#include "core/files/text/utf8.h"
+#include "reports/results/metric_catalogue.h"
+#include "reports/statistics/estimate.h"
 
 namespace cvo::reports {
 namespace {
 
-using Place = std::pair<std::map<std::string, std::string>, std::uint64_t>;
+// One metric over the pairs of one variant on one scene.
+struct ScenePairs {
+  RunKeys keys;
+  std::vector<double> baseline;
+  std::vector<double> now;
+  double seed_variance = 0.0;  // of a single run of the baseline
+  std::size_t seeds = 0;
+};
 
-std::vector<std::string> MetricNames(const Baseline& baseline) {
-  std::vector<std::string> names;
-  for (const BaselineMetric& metric : baseline.metrics) names.push_back(metric.name);
-  return names;
+// A comparison whose tolerance is not known until all comparisons have been counted.
+struct Candidate {
+  Comparison comparison;
+  std::vector<ScenePairs> scenes;
+};
+
+// Fills in the spread between all seeds of the baseline: at least that of one run that is off by
+// one step of MetricEntry::Resolution.
+void AddSpread(const Baseline& baseline, const std::string& metric, ScenePairs& scene) {
+  std::vector<double> values;
+  for (const BaselineJob& job : baseline.jobs) {
+    const auto value = job.values.find(metric);
+    if (job.keys == scene.keys && value != job.values.end()) values.push_back(value->second);
+  }
+  scene.seeds = values.size();
+  if (values.size() < 2) return;
+  const auto count = static_cast<double>(values.size());
+  const double step = FindEntry(metric)->Resolution(MeanOf(values));
+  scene.seed_variance = std::max(SquaresAroundMean(values) / (count - 1.0), step * step / count);
+}
+
+// Without scenes of one seed, whose spread is not known.
+std::vector<ScenePairs> GatherScenes(const Baseline& baseline, const std::string& metric,
+                                     const std::string& variant,
+                                     const std::vector<RunPair>& pairs) {
+  std::vector<ScenePairs> scenes;
+  for (const RunPair& pair : pairs) {
+    const auto now = pair.values.find(metric);
+    const auto then = pair.baseline->values.find(metric);
+    if (pair.baseline->keys.at("variant") != variant || now == pair.values.end() ||
+        then == pair.baseline->values.end()) {
+      continue;
+    }
+    ScenePairs& scene = FindOrAdd(scenes, &ScenePairs::keys, {pair.baseline->keys, {}, {}});
+    scene.baseline.push_back(then->second);
+    scene.now.push_back(now->second);
+  }
+  for (ScenePairs& scene : scenes) AddSpread(baseline, metric, scene);
+  std::erase_if(scenes, [](const ScenePairs& scene) { return scene.seeds < 2; });
+  return scenes;
+}
+
+// Twice the variance, because both the baseline and the checked runs are random draws.
+Comparison Judge(const Candidate& candidate, std::size_t comparisons) {
+  Comparison comparison = candidate.comparison;
+  const auto scenes = static_cast<double>(candidate.scenes.size());
+  double variance = 0.0;
+  std::size_t seeds = candidate.scenes.front().seeds;
+  bool same = true;
+  for (const ScenePairs& scene : candidate.scenes) {
+    comparison.baseline += MeanOf(scene.baseline) / scenes;
+    comparison.now += MeanOf(scene.now) / scenes;
+    comparison.pairs += scene.now.size();
+    variance +=
+        2.0 * scene.seed_variance / static_cast<double>(scene.now.size()) / (scenes * scenes);
+    seeds = std::min(seeds, scene.seeds);
+    same = same && scene.now == scene.baseline;
+  }
+  const double tail = std::max(kFalseAlarms / static_cast<double>(comparisons), 1e-9);
+  comparison.tolerance = StudentQuantile(tail, static_cast<int>(seeds) - 1) * std::sqrt(variance);
+  const bool higher_is_better = FindEntry(comparison.metric)->higher_is_better();
+  const double worse_by = higher_is_better ? -comparison.difference() : comparison.difference();
+  comparison.verdict = same                               ? Verdict::kSame
+                       : worse_by > comparison.tolerance  ? Verdict::kWorse
+                       : worse_by < -comparison.tolerance ? Verdict::kBetter
+                                                          : Verdict::kWithin;
+  return comparison;
+}
+
+// One comparison per variant, from the runs for which both sides have a time ratio. The limit is a
+// quarter more, and three standard errors of the paired differences of the logarithms.
+std::vector<TimeComparison> CompareTimes(const std::vector<RunPair>& pairs) {
+  std::map<std::string, std::pair<double, std::vector<double>>> logarithms;  // by variant
+  for (const RunPair& pair : pairs) {
+    const double then = pair.baseline->time_ratio.value_or(0.0);
+    const double now = pair.time_ratio.value_or(0.0);
+    if (then <= 0.0 || now <= 0.0) continue;
+    auto& [sum, differences] = logarithms[pair.baseline->keys.at("variant")];
+    sum += std::log(then);
+    differences.push_back(std::log(now / then));
+  }
+  std::vector<TimeComparison> times;
+  for (const auto& [variant, of_variant] : logarithms) {
+    const auto& [sum, differences] = of_variant;
+    const auto count = static_cast<double>(differences.size());
+    const double squares = SquaresAroundMean(differences);
+    const double error = count > 1.0 ? std::sqrt(squares / (count - 1.0) / count) : 0.0;
+    const double then = std::exp(sum / count);
+    times.push_back({variant, then, then * std::exp(MeanOf(differences)),
+                     std::max(1.25, std::exp(3.0 * error))});
+  }
+  return times;
 }
 
 class Check {
  public:
-  Check(const GateRuns& runs, const Baseline& baseline)
-      : baseline_(baseline), runs_(runs), time_ratios_(TimeRatios(runs_)) {
-    for (const SuiteRun& run : runs_.runs) now_[{run.planned.keys, run.planned.seed}] = &run;
-  }
+  Check(const GateRuns& runs, const Baseline& baseline) : baseline_(baseline), runs_(runs) {}
 
   GateReport Run(bool exact) {
     report_.suite = runs_.suite;
     report_.baseline_commit = baseline_.build.commit;
-    report_.baseline_build = baseline_.build.identity;
-    CheckUnfinished();
+    // Unfinished runs fail, whether or not the baseline has them: they were not measured.
+    for (const SuiteRun& run : runs_.runs) {
+      if (!run.run) Fail(RunLabel(run.planned.keys, run.planned.seed), run.state, run.message);
+    }
     for (const BaselineJob& job : baseline_.jobs) PairJob(job);
     report_.runs = pairs_.size();
     report_.comparisons = CompareValues(baseline_, pairs_);
     if (report_.comparisons.empty()) Fail(runs_.suite, "nothing was compared");
-    if (exact) CountChanges();
-    CheckTimes();
+    report_.times = CompareTimes(pairs_);
+    CheckPlatform(exact);
     AddNotes();
     return std::move(report_);
   }
 
  private:
-  void Fail(const std::string& where, const std::string& message) {
-    report_.problems.push_back({where, message});
-  }
-
-  // Reports unfinished runs, whether or not the baseline has them: they were not measured.
-  void CheckUnfinished() {
-    for (const SuiteRun& run : runs_.runs) {
-      if (run.run) continue;
-      Fail(RunLabel(run.planned.keys, run.planned.seed),
-           run.state + (run.message.empty() ? "" : ": " + run.message));
-    }
+  void Fail(const std::string& where, const std::string& what, const std::string& why = "") {
+    report_.problems.push_back(Printable(StrCat(where, ": ", what, why.empty() ? "" : ": " + why)));
   }
 
   void PairJob(const BaselineJob& job) {
     const std::string label = RunLabel(job.keys, job.seed);
-    const auto found = now_.find({job.keys, job.seed});
-    if (found == now_.end()) {
-      const bool wanted = std::find(baseline_.seeds.begin(), baseline_.seeds.end(), job.seed) !=
-                          baseline_.seeds.end();
-      if (wanted) Fail(label, "in the baseline, but not among the jobs of this folder");
+    const SuiteRun* run = nullptr;
+    for (const SuiteRun& other : runs_.runs) {
+      if (other.planned.seed == job.seed && other.planned.keys == job.keys) run = &other;
+    }
+    if (run == nullptr) {
+      if (std::count(baseline_.seeds.begin(), baseline_.seeds.end(), job.seed) > 0) {
+        Fail(label, "in the baseline, but not among the jobs of this folder");
+      }
       return;
     }
-    const SuiteRun& run = *found->second;
-    if (!run.run) return;
-    report_.build = run.run->build.identity;
-    platforms_.insert(run.run->build.Platform());
-    if (job.status == "ok" && run.state != "ok") {
-      Fail(label, StrCat("ended as ", run.state, run.message.empty() ? "" : ": " + run.message));
+    ++known_;
+    if (!run->run) return;
+    platforms_.insert(run->run->build.Platform());
+    if (job.status == "ok" && run->state != "ok")
+      Fail(label, "ended as " + run->state, run->message);
+    const RunSequence& sequence = run->run->sequence;
+    if (job.frames && sequence.frames != *job.frames) {
+      return Fail(label, StrCat(sequence.frames, " frames, in the baseline ", *job.frames));
     }
-    const int frames = run.run->sequence.frames;
-    if (job.frames && frames != *job.frames) {
-      return Fail(label, StrCat(frames, " frames, in the baseline ", *job.frames));
-    }
-    if (!job.content.empty() && run.run->sequence.content != job.content) ++other_images_;
+    if (!job.content.empty() && sequence.content != job.content) ++other_images_;
     RunPair pair{&job, {}, std::nullopt};
-    for (const BaselineMetric& metric : baseline_.metrics) AddValue(metric, run, label, pair);
-    const auto ratio = time_ratios_.find(run.planned.job);
-    if (ratio != time_ratios_.end()) pair.time_ratio = ratio->second;
+    for (const BaselineMetric& metric : baseline_.metrics) {
+      const bool expected = job.values.contains(metric.name);
+      const MetricValue* value = FindMetric(*run->run, metric.name);
+      if (value == nullptr && expected) Fail(label, "no " + metric.name);
+      if (value != nullptr && !expected) ++new_values_;
+      if (value == nullptr || !expected || !HasSameMeaning(metric, *run->run, *value)) continue;
+      pair.values[metric.name] = value->value;
+    }
+    const auto ratio = runs_.time_ratios.find(run->planned.job);
+    if (ratio != runs_.time_ratios.end()) pair.time_ratio = ratio->second;
     pairs_.push_back(std::move(pair));
-  }
-
-  void AddValue(const BaselineMetric& metric, const SuiteRun& run, const std::string& label,
-                RunPair& pair) {
-    const bool expected = pair.baseline->values.contains(metric.name);
-    const MetricValue* value = FindMetric(*run.run, metric.name);
-    if (value == nullptr && expected) Fail(label, StrCat("no ", metric.name));
-    if (value != nullptr && !expected) ++new_values_;
-    if (value == nullptr || !expected) return;
-    if (HasSameMeaning(metric, *run.run, *value)) pair.values[metric.name] = value->value;
   }
 
   // Reports a difference in contracts once per metric and dataset type.
@@ -120,55 +203,52 @@ class Check {
   }
 
   // The same estimator gives the same values, but another platform may round differently.
-  void CountChanges() {
+  void CheckPlatform(bool exact) {
     const std::string& platform = baseline_.build.platform;
-    if (!platform.empty() && platforms_ == std::set<std::string>{platform}) {
-      report_.changed = report_.Differing();
-      return;
-    }
-    report_.notes.push_back(StrCat("exactness is not checked: the platform is not the baseline's (",
-                                   Joined(platforms_, "; "),
-                                   "; baseline: ", platform.empty() ? "unknown" : platform, ")"));
-  }
-
-  void CheckTimes() {
-    report_.times = CompareTimes(pairs_);
-    std::set<std::string> missing;
-    for (const RunPair& pair : pairs_) {
-      const std::string& variant = pair.baseline->keys.at("variant");
-      if (pair.baseline->time_ratio && !pair.time_ratio) missing.insert(variant);
-    }
-    for (const std::string& variant : missing) {
-      report_.time_problems.push_back(
-          StrCat("no time of ", variant, " against ", kTimeReference, " in some runs"));
+    const bool same = platforms_ == std::set<std::string>{platform};
+    if (exact && same && !platform.empty()) {
+      report_.changed = report_.comparisons.size() - report_.Count(Verdict::kSame);
+    } else if (exact || (!same && !platforms_.empty())) {
+      report_.notes.push_back(StrCat(
+          "exactness is not checked: the platform is not the baseline's (",
+          Joined(platforms_, "; "), "; baseline: ", platform.empty() ? "unknown" : platform, ")"));
     }
   }
 
   void AddNotes() {
-    std::set<Place> known;
-    for (const BaselineJob& job : baseline_.jobs) known.insert({job.keys, job.seed});
-    const auto more = std::count_if(now_.begin(), now_.end(),
-                                    [&](const auto& run) { return !known.contains(run.first); });
-    const auto note = [this](auto count, const char* what) {
+    const auto note = [this](std::size_t count, const char* what) {
       if (count > 0) report_.notes.push_back(StrCat(count, what));
     };
-    note(more, " jobs are not in the baseline");
+    note(runs_.runs.size() - known_, " jobs are not in the baseline");
     note(new_values_, " values are of metrics that the baseline lacks for their job");
-    std::set<std::string> levels = CpuLevels(runs_.runs);
-    levels.insert(baseline_.build.cpu_level);
-    if (levels.size() > 1) report_.notes.push_back(CpuLevelNote(levels));
     note(other_images_,
          " runs read other images than the baseline (other frames, or scenes that render "
          "differently): verdicts do not compare like with like");
+    if (report_.Count(Verdict::kBetter) > 0) {
+      report_.notes.emplace_back(
+          "better than the baseline by more than the tolerance: update the baseline to hold this "
+          "level");
+    }
+    for (const TimeComparison& time : report_.times) {
+      if (!time.slower()) continue;
+      report_.notes.push_back(StrCat(time.variant,
+                                     " is slower than it was, measured in the time of ",
+                                     kTimeReference, " (not part of the verdict)"));
+    }
+    for (const RunPair& pair : pairs_) {
+      if (!pair.baseline->time_ratio || pair.time_ratio) continue;
+      AddOnce(StrCat("no time of ", pair.baseline->keys.at("variant"), " against ", kTimeReference,
+                     " in some runs"),
+              report_.notes);
+    }
   }
 
   const Baseline& baseline_;
   const GateRuns& runs_;
-  std::map<std::string, double> time_ratios_;
-  std::map<Place, const SuiteRun*> now_;
   std::vector<RunPair> pairs_;
   std::set<std::string> platforms_;
   std::set<std::pair<std::string, std::string>> refused_;
+  std::size_t known_ = 0;
   std::size_t new_values_ = 0;
   std::size_t other_images_ = 0;
   GateReport report_;
@@ -176,32 +256,41 @@ class Check {
 
 }  // namespace
 
-GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline, bool exact) {
-  return Check(ReadGateRuns(folder, MetricNames(baseline)), baseline).Run(exact);
+std::size_t GateReport::Count(Verdict verdict) const {
+  return static_cast<std::size_t>(
+      std::count_if(comparisons.begin(), comparisons.end(),
+                    [&](const Comparison& comparison) { return comparison.verdict == verdict; }));
 }
 
-std::vector<LostPart> CheckInPlaceOf(const std::string& variant,
-                                     const std::filesystem::path& folder, const Baseline& baseline,
-                                     bool exact) {
-  Baseline of_variant = baseline;
-  std::erase_if(of_variant.jobs, [&](const BaselineJob& job) {
-    return !job.keys.contains("variant") || job.keys.at("variant") != variant;
-  });
-  if (of_variant.jobs.empty()) {
-    ThrowError("variant " + Quoted(variant), "no run of it in the baseline", "one that is in it");
-  }
-  const GateRuns all = ReadGateRuns(folder, MetricNames(baseline));
+GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseline, bool exact) {
+  std::vector<std::string> metrics;
+  for (const BaselineMetric& metric : baseline.metrics) metrics.push_back(metric.name);
+  return Check(ReadGateRuns(folder, metrics), baseline).Run(exact);
+}
+
+std::vector<Comparison> CompareValues(const Baseline& baseline, const std::vector<RunPair>& pairs) {
   std::vector<std::string> variants;
-  for (const SuiteRun& run : all.runs) AddOnce(KeyOf(run.planned, "variant"), variants);
-  std::vector<LostPart> parts;
-  for (const std::string& other : variants) {
-    GateRuns runs = all;
-    std::erase_if(runs.runs,
-                  [&](const SuiteRun& run) { return KeyOf(run.planned, "variant") != other; });
-    for (SuiteRun& run : runs.runs) run.planned.keys["variant"] = variant;
-    parts.push_back({other, Check(runs, of_variant).Run(exact)});
+  for (const RunPair& pair : pairs) AddOnce(pair.baseline->keys.at("variant"), variants);
+  std::vector<Candidate> candidates;
+  for (const std::string& variant : variants) {
+    for (const BaselineMetric& metric : baseline.metrics) {
+      const std::vector<ScenePairs> scenes = GatherScenes(baseline, metric.name, variant, pairs);
+      if (scenes.empty()) continue;
+      const Comparison empty{
+          .variant = variant, .scene = "", .metric = metric.name, .unit = NameOf(metric.unit)};
+      candidates.push_back({empty, scenes});
+      if (scenes.size() == 1) continue;
+      for (const ScenePairs& scene : scenes) {
+        candidates.push_back({empty, {scene}});
+        candidates.back().comparison.scene = SceneLabel(scene.keys);
+      }
+    }
   }
-  return parts;
+  std::vector<Comparison> comparisons;
+  for (const Candidate& candidate : candidates) {
+    comparisons.push_back(Judge(candidate, candidates.size()));
+  }
+  return comparisons;
 }
 
 }  // namespace cvo::reports

@@ -1,17 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/gate/gate_text.h"
-
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
-#include "reports/gate/gate_runs.h"
+#include "core/files/text/utf8.h"
+#include "reports/gate/check_runs.h"
 
 namespace cvo::reports {
 namespace {
+
+using TextRows = std::vector<std::vector<std::string>>;  // the first is the header
 
 constexpr std::size_t kNearest = 5;
 constexpr std::size_t kMaxProblems = 20;
@@ -25,163 +28,119 @@ std::vector<std::string> Cells(const Comparison& comparison) {
           FormatSigned(comparison.difference(), 3),
           FormatGeneral(comparison.tolerance, 3),
           StrCat(comparison.pairs),
-          comparison.verdict == Verdict::kWorse ? "WORSE" : ToString(comparison.verdict)};
+          NameOf(comparison.verdict)};
 }
 
-double PartOfTolerance(const Comparison& comparison) {
-  return std::abs(comparison.difference()) / std::max(comparison.tolerance, 1e-300);
-}
-
-std::vector<const Comparison*> Nearest(const GateReport& report) {
-  std::vector<const Comparison*> within;
-  for (const Comparison& comparison : report.comparisons) {
-    if (comparison.verdict == Verdict::kWithin && comparison.scene.empty()) {
-      within.push_back(&comparison);
-    }
-  }
-  std::stable_sort(within.begin(), within.end(), [](const Comparison* a, const Comparison* b) {
-    return PartOfTolerance(*a) > PartOfTolerance(*b);
-  });
-  within.resize(std::min(within.size(), kNearest));
-  return within;
-}
-
-std::size_t Width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
-}
-
-std::string CommitName(const std::string& commit) {
-  return commit.empty() ? "an unknown commit" : commit.substr(0, 12);
-}
-
-}  // namespace
-
+// The comparisons that moved beyond their tolerance and then, of the rest, those over all scenes
+// that came nearest to it.
 TextRows MovedRows(const GateReport& report) {
-  TextRows rows;
+  TextRows rows = {{"variant", "scene", "metric", "baseline", "now", "difference", "tolerance",
+                    "pairs", "verdict"}};
   for (const Verdict verdict : {Verdict::kWorse, Verdict::kBetter}) {
     for (const Comparison& comparison : report.comparisons) {
       if (comparison.verdict == verdict) rows.push_back(Cells(comparison));
     }
   }
-  for (const Comparison* comparison : Nearest(report)) rows.push_back(Cells(*comparison));
-  if (rows.empty()) return rows;
-  rows.insert(rows.begin(), {"variant", "scene", "metric", "baseline", "now", "difference",
-                             "tolerance", "pairs", "verdict"});
+  std::vector<Comparison> within = report.comparisons;
+  std::erase_if(within, [](const Comparison& comparison) {
+    return comparison.verdict != Verdict::kWithin || !comparison.scene.empty();
+  });
+  std::stable_sort(within.begin(), within.end(), [](const Comparison& a, const Comparison& b) {
+    return std::abs(a.difference()) * b.tolerance > std::abs(b.difference()) * a.tolerance;
+  });
+  within.resize(std::min(within.size(), kNearest));
+  for (const Comparison& comparison : within) rows.push_back(Cells(comparison));
   return rows;
 }
 
 TextRows TimeRows(const GateReport& report) {
-  TextRows rows;
-  if (report.times.empty()) return rows;
-  rows.push_back({"variant", StrCat("time / ", kTimeReference, ", then"), "now", "factor", "limit",
-                  "verdict"});
+  TextRows rows = {{"variant", StrCat("time / ", kTimeReference, ", then"), "now", "factor",
+                    "limit", "verdict"}};
   for (const TimeComparison& time : report.times) {
-    const char* verdict = time.verdict == Verdict::kWorse    ? "SLOWER"
-                          : time.verdict == Verdict::kBetter ? "faster"
-                                                             : "within";
     rows.push_back({time.variant, FormatGeneral(time.baseline, 3), FormatGeneral(time.now, 3),
                     FormatGeneral(time.now / time.baseline, 3), FormatGeneral(time.limit, 3),
-                    verdict});
+                    time.slower() ? "SLOWER" : "within"});
   }
   return rows;
 }
 
+// Aligned columns after an empty line. Empty if there is only a header.
+std::string AlignedText(const TextRows& rows) {
+  if (rows.size() < 2) return "";
+  std::string text = "\n";
+  for (const std::vector<std::string>& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      std::size_t width = 0;
+      for (const auto& other : rows) width = std::max(width, Width(Printable(other[i])));
+      const std::string cell = Printable(row[i]);
+      text += cell;
+      text += i + 1 < row.size() ? std::string(width - Width(cell) + 2, ' ') : "\n";
+    }
+  }
+  return text;
+}
+
+std::string ListText(const char* title, const std::vector<std::string>& lines) {
+  std::string text = lines.empty() ? "" : StrCat("\n", title, ":\n");
+  for (const std::string& line : lines) text += StrCat("  ", line, "\n");
+  return text;
+}
+
 std::string Headline(const GateReport& report) {
+  const std::string& commit = report.baseline_commit;
   return StrCat(report.suite, ": ", Counted(report.runs, "run"), " compared with those of ",
-                CommitName(report.baseline_commit), ": ", report.Count(Verdict::kWorse), " worse, ",
-                report.Count(Verdict::kBetter), " better, ", report.Count(Verdict::kWithin),
-                " within tolerance, ", report.Count(Verdict::kSame), " the same",
+                commit.empty() ? "an unknown commit" : commit.substr(0, 12), ": ",
+                report.Count(Verdict::kWorse), " worse, ", report.Count(Verdict::kBetter),
+                " better, ", report.Count(Verdict::kWithin), " within tolerance, ",
+                report.Count(Verdict::kSame), " the same",
                 report.problems.empty() ? "" : ", " + Counted(report.problems.size(), "problem"));
 }
+
+}  // namespace
 
 std::string GateVerdict(const GateReport& report) {
   return report.Regressed() ? "regression" : report.Failed() ? "changed" : "no regression";
 }
 
-std::string ChangeLine(const GateReport& report) {
-  if (report.changed == 0) return "";
-  return StrCat(report.changed, " of ", report.comparisons.size(),
-                " values differ from the baseline: the estimator changed; if this is intended, "
-                "update the baseline");
-}
-
-std::vector<std::string> ProblemLines(const GateReport& report) {
-  std::vector<std::string> lines;
-  if (report.changed > 0) lines.push_back(ChangeLine(report));
-  const std::size_t shown = std::min(report.problems.size(), kMaxProblems);
-  for (std::size_t i = 0; i < shown; ++i) {
-    lines.push_back(StrCat(report.problems[i].where, ": ", report.problems[i].message));
-  }
-  if (shown < report.problems.size()) {
-    lines.push_back(StrCat("and ", report.problems.size() - shown, " more"));
-  }
-  return lines;
-}
-
-std::vector<std::string> NoteLines(const GateReport& report) {
-  std::vector<std::string> lines = report.notes;
-  if (report.Count(Verdict::kBetter) > 0) {
-    lines.emplace_back(
-        "better than the baseline by more than the tolerance: update the baseline to hold this "
-        "level");
-  }
-  for (const TimeComparison& time : report.times) {
-    if (time.verdict != Verdict::kWorse) continue;
-    lines.push_back(StrCat(time.variant, " is slower than it was, measured in the time of ",
-                           kTimeReference, " (not part of the verdict without --gate-time)"));
-  }
-  for (const std::string& problem : report.time_problems) lines.push_back(problem);
-  return lines;
-}
-
-std::string AlignedText(const TextRows& rows) {
-  if (rows.empty()) return "";
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const std::vector<std::string>& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], Width(row[i]));
-  }
-  std::string text;
-  for (const std::vector<std::string>& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      text += row[i];
-      if (i + 1 < row.size()) text.append(widths[i] - Width(row[i]) + 2, ' ');
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-std::string PowerText(const std::vector<LostPart>& parts) {
-  TextRows rows = {{"variant", "verdict", "values that differ", "worse in"}};
-  for (const LostPart& part : parts) {
-    std::vector<std::string> worse;
-    for (const Comparison& comparison : part.report.comparisons) {
-      if (comparison.verdict == Verdict::kWorse) AddOnce(comparison.metric, worse);
-    }
-    std::string why = Joined(worse, ", ");
-    if (!part.report.problems.empty()) {
-      why += StrCat(why.empty() ? "" : ", ", Counted(part.report.problems.size(), "problem"));
-    }
-    rows.push_back({part.variant, part.report.Failed() ? "noticed" : "NOT NOTICED",
-                    StrCat(part.report.Differing(), " of ", part.report.comparisons.size()), why});
-  }
-  return AlignedText(rows);
-}
-
 std::string GateText(const GateReport& report) {
-  std::string text = Headline(report) + "\n";
-  const TextRows moved = MovedRows(report);
-  if (!moved.empty()) text += StrCat("\n", AlignedText(moved));
-  const TextRows times = TimeRows(report);
-  if (!times.empty()) text += StrCat("\n", AlignedText(times));
-  for (const auto& [title, lines] :
-       {std::pair{"problems", ProblemLines(report)}, std::pair{"notes", NoteLines(report)}}) {
-    if (!lines.empty()) text += StrCat("\n", title, ":\n");
-    for (const std::string& line : lines) text += "  " + line + "\n";
+  std::vector<std::string> problems = report.problems;
+  if (problems.size() > kMaxProblems) {
+    problems.resize(kMaxProblems);
+    problems.push_back(StrCat("and ", report.problems.size() - kMaxProblems, " more"));
   }
-  return text;
+  if (report.changed > 0) {
+    problems.insert(problems.begin(),
+                    StrCat(report.changed, " of ", report.comparisons.size(),
+                           " values differ from the baseline: the estimator changed; if this is "
+                           "intended, update the baseline"));
+  }
+  return StrCat(Headline(report), "\n", AlignedText(MovedRows(report)),
+                AlignedText(TimeRows(report)), ListText("problems", problems),
+                ListText("notes", report.notes));
+}
+
+std::string GateMarkdown(const GateReport& report) {
+  std::string verdict = GateVerdict(report);
+  verdict.front() = static_cast<char>(std::toupper(verdict.front()));
+  // An indented block of code, whose lines no name in the results can leave or make active.
+  std::istringstream lines(PrintableLines(GateText(report)));
+  std::string markdown = StrCat("### ", verdict, "\n\n");
+  for (std::string line; std::getline(lines, line);) markdown += "    " + line + "\n";
+  return markdown;
+}
+
+std::string GateJunit(const GateReport& report) {
+  const std::string name = HtmlEscaped(Printable(report.suite));
+  const std::string text = HtmlEscaped(GateText(report));
+  const std::string counts =
+      StrCat("tests=\"1\" failures=\"", report.Failed() ? 1 : 0, "\" errors=\"0\" skipped=\"0\"");
+  const std::string outcome = report.Failed() ? StrCat("<failure message=\"", GateVerdict(report),
+                                                       "\">", text, "</failure>")
+                                              : StrCat("<system-out>", text, "</system-out>");
+  return StrCat("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites ", counts,
+                ">\n <testsuite name=\"clustervo.", name, "\" ", counts,
+                ">\n  <testcase classname=\"clustervo.", name, "\" name=\"gate\" time=\"0\">\n",
+                outcome, "\n  </testcase>\n </testsuite>\n</testsuites>\n");
 }
 
 }  // namespace cvo::reports

@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/overlays/overlay_run.h"
 
-#include <functional>
+#include <algorithm>
+#include <set>
+#include <span>
 
-#include "reports/runs/detail_files.h"
+#include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/geometry/rigid_transform.h"
 
 namespace cvo::reports {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kTail_s = 2.0;
 
 void CheckCamera(const CameraInfo& camera, const fs::path& file) {
   constexpr int kLargest_px = 20000;
@@ -31,37 +37,170 @@ void ReadHead(const fs::path& file, OverlayRun& run) {
   }
 }
 
+// By cluster: the body that holds most of its landmarks, not counting the static scene.
+std::map<std::int64_t, std::int64_t> BodiesOfClusters(const OverlayRun& run) {
+  std::map<std::int64_t, std::map<std::int64_t, int>> seen;
+  for (const auto& [frame, landmarks] : run.landmarks) {
+    for (const LandmarkRow& landmark : landmarks) {
+      if (landmark.label > kStaticLabel && landmark.truth_body > 0) {
+        ++seen[landmark.label][landmark.truth_body];
+      }
+    }
+  }
+  std::map<std::int64_t, std::int64_t> bodies;
+  for (const auto& [cluster, counts] : seen) {
+    const auto most =
+        std::max_element(counts.begin(), counts.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    bodies[cluster] = most->first;
+  }
+  return bodies;
+}
+
+using Rows = std::span<const ClusterRow>;
+
+Rows RowsOfFrame(const std::vector<ClusterRow>& rows, int frame) {
+  const auto [first, last] = std::ranges::equal_range(rows, frame, {}, &ClusterRow::frame);
+  return {first, last};
+}
+
+double Seconds(const CameraFrame& from, const CameraFrame& to) {
+  return 1e-9 * static_cast<double>(to.timestamp_ns - from.timestamp_ns);
+}
+
+// The positions in world, oldest first, of the point that is the cluster's centre in frame `index`,
+// in the uninterrupted frames before it and in this one.
+std::vector<Eigen::Vector3d> TailOf(const RunDetail& run, std::size_t index,
+                                    const ClusterRow& row) {
+  const Eigen::Vector3d center_in_object = TransformOf(row.object_from_box).translation();
+  std::vector<Eigen::Vector3d> tail;
+  for (std::size_t i = index + 1; i-- > 0;) {
+    const Rows rows = RowsOfFrame(run.clusters, run.camera[i].frame);
+    const ClusterRow* there = FindBy(rows, &ClusterRow::id, row.id);
+    if (there == nullptr || Seconds(run.camera[i], run.camera[index]) > kTail_s + 1e-6) break;
+    tail.push_back(TransformOf(there->world_from_object) * center_in_object);
+  }
+  std::reverse(tail.begin(), tail.end());
+  return tail;
+}
+
+ClusterShape ShapeOf(const RunDetail& run, std::size_t index, const ClusterRow& row) {
+  const RigidTransform camera_from_world =
+      TransformOf(run.camera[index].world_from_camera).Inverse();
+  const RigidTransform camera_from_box =
+      camera_from_world * TransformOf(row.world_from_object) * TransformOf(row.object_from_box);
+  ClusterShape shape;
+  shape.id = row.id;
+  shape.category = row.category;
+  shape.predicted = row.predicted;
+  for (unsigned i = 0; i < 8; ++i) {
+    const Eigen::Vector3d side((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5,
+                               (i & 4U) != 0 ? 0.5 : -0.5);
+    const Eigen::Vector3d corner =
+        side.cwiseProduct(Eigen::Map<const Eigen::Vector3d>(row.size_m.data()));
+    shape.corners[i] = camera_from_box * corner;
+  }
+  for (const Eigen::Vector3d& p_in_world : TailOf(run, index, row)) {
+    shape.tail.push_back(camera_from_world * p_in_world);
+  }
+  return shape;
+}
+
 }  // namespace
+
+RigidTransform TransformOf(const Pose& pose) {
+  return {Eigen::Quaterniond(pose[6], pose[3], pose[4], pose[5]),
+          Eigen::Vector3d(pose[0], pose[1], pose[2])};
+}
+
+// Each colour is far from all others (CIE 1976 colour difference of at least 26) and from every
+// grey. Consecutive ids differ most. Blue is lighter than usual, to be visible on dark images.
+Rgb ClusterColor(std::int64_t id) {
+  constexpr std::array<Rgb, 16> kColors = {{{230, 159, 0},
+                                            {86, 180, 233},
+                                            {0, 190, 130},
+                                            {240, 228, 66},
+                                            {235, 95, 20},
+                                            {225, 130, 195},
+                                            {60, 95, 250},
+                                            {160, 240, 60},
+                                            {170, 90, 240},
+                                            {0, 230, 235},
+                                            {255, 55, 105},
+                                            {255, 195, 160},
+                                            {175, 120, 75},
+                                            {175, 255, 205},
+                                            {195, 185, 255},
+                                            {255, 80, 235}}};
+  return kColors[(static_cast<std::uint64_t>(id) - 1U) % kColors.size()];
+}
 
 OverlayRun ReadOverlayRun(const fs::path& folder, LandmarkLabel label) {
   OverlayRun run;
   run.detail = ReadRunDetail(folder);
   ReadHead(folder / "result.json", run);
-  const auto read = [&](const char* what, const char* name, const std::function<void()>& reader) {
-    const fs::path file = folder / name;
-    try {
-      if (fs::exists(file)) {
-        reader();
-        return true;
-      }
-      run.missing.push_back(StrCat("drawn without ", what, ": ", file.string(), ": no such file"));
-    } catch (const Error& error) {
-      run.missing.push_back(StrCat("drawn without ", what, ": ", error.what()));
+  for (const std::string& line : run.detail.missing) {
+    if (line.find("objects.csv") != std::string::npos) {
+      run.missing.push_back("without clusters: " + line);
     }
-    return false;
-  };
-  // Reads objects.csv a second time, since run.detail.missing does not say which file an error is
-  // in.
-  run.has_clusters =
-      read("clusters", "objects.csv", [&] { ReadClusterTable(folder / "objects.csv"); });
-  run.has_landmarks = read("landmarks", "landmarks.csv",
-                           [&] { run.landmarks = ReadLandmarks(folder / "landmarks.csv", label); });
-  MarkWrongLabels(run);
-  run.color_ids = ApartColors(run.detail.clusters);
-  if (run.has_clusters) {
-    read("detections", "tracks.kitti", [&] { run.detections = ReadAssociatedBoxes(folder); });
   }
+  const fs::path landmarks = folder / "landmarks.csv";
+  try {
+    if (!fs::exists(landmarks)) throw Error(landmarks.string() + ": no such file");
+    run.landmarks = ReadLandmarks(landmarks, label);
+  } catch (const Error& error) {
+    run.missing.push_back(StrCat("without landmarks: ", error.what()));
+  }
+  MarkWrongLabels(run);
   return run;
+}
+
+void MarkWrongLabels(OverlayRun& run) {
+  if (run.detail.bodies.empty()) return;
+  std::set<std::int64_t> movers;
+  for (const BodyDetail& body : run.detail.bodies) {
+    if (body.mover) movers.insert(body.id);
+  }
+  const std::map<std::int64_t, std::int64_t> bodies = BodiesOfClusters(run);
+  for (auto& [frame, landmarks] : run.landmarks) {
+    for (LandmarkRow& landmark : landmarks) {
+      if (landmark.truth_body < 0) continue;
+      run.has_truth = true;
+      const auto body = bodies.find(landmark.label);
+      if (landmark.label > kStaticLabel) {
+        landmark.wrong = body == bodies.end() || body->second != landmark.truth_body;
+      } else if (landmark.label == kStaticLabel) {
+        landmark.wrong = movers.contains(landmark.truth_body);
+      }
+    }
+  }
+}
+
+OverlayFrame FrameOf(const OverlayRun& run, int frame) {
+  const auto& camera = run.detail.camera;
+  const auto found = std::ranges::lower_bound(camera, frame, {}, &CameraFrame::frame);
+  if (found == camera.end() || found->frame != frame) {
+    ThrowError(StrCat("frame ", frame), "none of this number in the run",
+               camera.empty() ? "a run with frames"
+                              : StrCat(camera.front().frame, " to ", camera.back().frame));
+  }
+  OverlayFrame drawn;
+  drawn.frame = frame;
+  drawn.time_s = Seconds(camera.front(), *found);
+  drawn.status = found->status;
+  drawn.run = StrCat(run.variant, ", seed ", run.seed);
+  drawn.has_truth = run.has_truth;
+  if (const auto landmarks = run.landmarks.find(frame); landmarks != run.landmarks.end()) {
+    drawn.landmarks = landmarks->second;
+  }
+  if (const auto boxes = run.detections.find(frame); boxes != run.detections.end()) {
+    drawn.detections = boxes->second;
+  }
+  const auto index = static_cast<std::size_t>(found - camera.begin());
+  for (const ClusterRow& row : RowsOfFrame(run.detail.clusters, frame)) {
+    drawn.clusters.push_back(ShapeOf(run.detail, index, row));
+  }
+  return drawn;
 }
 
 }  // namespace cvo::reports

@@ -1,83 +1,313 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/page/page_html.h"
-
-#include <string_view>
+#include <algorithm>
+#include <set>
 
 #include "core/base/error.h"
-#include "core/files/json/json.h"
-#include "reports/figures/plot.h"
+#include "core/base/lists.h"
+#include "core/files/sha256.h"
+#include "core/files/text/utf8.h"
+#include "reports/figures/numbers.h"
 #include "reports/page/html.h"
-#include "reports/page/page_parts.h"
-#include "reports/web/assets.h"
+#include "reports/results/contract_text.h"
+#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {
 
-std::string Head(const PageContent& content) {
-  return StrCat(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"",
-      Escaped(ContentPolicy()),
-      "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>",
-      Escaped(content.title), ": ClusterVO-bench report</title>\n<style>", AppStyle(),
-      "</style>\n</head>\n");
+constexpr std::size_t kShownJobs = 200;
+
+// What every page explains: estimators, statistics and runs.
+constexpr std::pair<const char*, const char*> kTerms[] = {
+    {"variant",
+     "A version of the estimator. full is the complete method; the others omit or change one "
+     "part."},
+    {"cluster", "A set of landmarks that move together: the estimate of one object."},
+    {"landmark", "A point in the scene that is seen in the images."},
+    {"sequence", "A recorded or rendered image sequence with its ground truth."},
+    {"seed",
+     "Initial value of the random number generator. Runs that differ only in the seed show the "
+     "random variation."},
+    {"interval",
+     "95 % confidence interval of a mean, by bootstrap over its scenes, or the bodies of a single "
+     "scene. Seeds are averaged first."},
+    {"split",
+     "What scenes are used for: options were chosen on development scenes, results are reported "
+     "on test scenes. Recorded images are given."},
+    {"pair", "A scene (or body of a single scene) that is present in both rows of a difference."},
+    {"occluded, predicted",
+     "Hidden by another object; its pose is then given only by the motion model."},
+    {"left out", "What is excluded from a value, and why."},
+};
+
+// The hash by which a Content-Security-Policy names the only script that may run.
+std::string ScriptSource() {
+  const std::string hex = Sha256Hex(PageScript());
+  std::string bytes;
+  for (std::size_t i = 0; i < hex.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  }
+  return "'sha256-" + Base64(bytes) + "'";
+}
+
+std::string TableSection(const PageContent& content) {
+  std::string html = "<section id=\"table\">\n<h2>Table</h2>\n";
+  if (!content.table) {
+    return html + "<p class=\"problem\">There is no table: see above.</p>\n</section>\n";
+  }
+  html +=
+      "<p>Each value is a mean, with its 95 % interval and the number of bodies or scenes below "
+      "it. A star marks a significant difference from the reference. Grey rows are published "
+      "results of others, with their sources in the notes below; values in brackets are not "
+      "comparable with ours. Select a heading to sort by it.</p>\n";
+  return html + ResultTable(*content.table, "table") + "</section>\n";
+}
+
+// Emphasises the first sentence of a title, which says what is shown, over the rest, which says how
+// it was measured.
+std::string FigureHtml(const Figure& figure) {
+  const std::size_t end = std::min(figure.title.find(". "), figure.title.size() - 1) + 1;
+  ChartStyle style;
+  style.css = false;
+  return StrCat("<figure class=\"figure\" id=\"figure-", Escaped(figure.name), "\">\n<figcaption>",
+                Element("strong", figure.title.substr(0, end)), Escaped(figure.title.substr(end)),
+                Element("p", figure.caption), "</figcaption>\n<div class=\"scroll chart\">",
+                ChartSvg(figure.chart, style), "</div>\n</figure>\n");
+}
+
+std::string FiguresSection(const PageContent& content) {
+  std::string html = "<section id=\"figures\">\n<h2>Figures</h2>\n";
+  if (content.drawing.figures.empty()) {
+    html += "<p class=\"problem\">No figure could be made from these results.</p>\n";
+  }
+  for (const Figure& figure : content.drawing.figures) html += FigureHtml(figure);
+  return html + "</section>\n";
+}
+
+std::string RunText(const SuiteRun& run) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : run.planned.keys) {
+    if (value != "none") keys.push_back(key + " " + value);
+  }
+  keys.push_back(StrCat("seed ", run.planned.seed));
+  return Listed(keys);
+}
+
+std::string JobsWithoutValue(const std::vector<PageRun>& runs) {
+  std::vector<std::string> lines;
+  for (const char* state : {"failed", "lost", "not run", "no data"}) {
+    for (const PageRun& run : runs) {
+      if (run.run.state != state) continue;
+      lines.push_back(StrCat(state, ": ", RunText(run.run),
+                             run.run.message.empty() ? "" : ": " + run.run.message,
+                             run.run.log.empty() ? "" : " (log: " + run.run.log + ")"));
+    }
+  }
+  if (lines.size() > kShownJobs) {
+    const std::size_t more = lines.size() - kShownJobs;
+    lines.resize(kShownJobs);
+    lines.push_back(StrCat("and ", more, " more"));
+  }
+  return ListHtml("Runs that failed, are missing or lost the camera", lines);
+}
+
+// Texts that apply to several names, each listed once with those names.
+class NamesPerText {
+ public:
+  void Add(const std::string& text, const std::string& name) {
+    FindOrAdd(texts_, &Entry::first, {text, {}}).second.insert(name);
+  }
+  std::string Html(const std::string& heading) const {
+    std::vector<std::string> lines;
+    for (const auto& [text, names] : texts_) {
+      lines.push_back(StrCat(text, " (", Listed({names.begin(), names.end()}), ")"));
+    }
+    return ListHtml(heading, lines);
+  }
+
+ private:
+  using Entry = std::pair<std::string, std::set<std::string>>;
+  std::vector<Entry> texts_;
+};
+
+std::string CellsWithoutValue(const Table& table) {
+  NamesPerText cells;
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const Cell& cell = row.cells[i];
+      if (cell.present) continue;
+      cells.Add(
+          StrCat(table.columns[i].label, ": ", cell.message.empty() ? "no value" : cell.message),
+          RowLabel(row));
+    }
+  }
+  return cells.Html("Cells without a value");
+}
+
+std::string UnreadableFiles(const PageContent& content) {
+  NamesPerText files;
+  for (const PageRun& run : content.runs) {
+    for (const std::string& file : run.missing) files.Add(file, RunText(run.run));
+  }
+  for (const PageScene& scene : content.scenes) {
+    const std::string name = RunText(content.runs[scene.run].run);
+    for (const std::string& file : scene.detail.missing) files.Add(file, name);
+    if (!scene.no_images.empty()) files.Add("images: " + scene.no_images, name);
+  }
+  return files.Html("Missing or unreadable files");
+}
+
+std::string MissingSection(const PageContent& content) {
+  std::string html = JobsWithoutValue(content.runs);
+  if (content.table) {
+    html +=
+        CellsWithoutValue(*content.table) + ListHtml("Notes for comparison", content.table->notes);
+  }
+  html += UnreadableFiles(content) + ListHtml("Not shown in figures", content.drawing.not_drawn);
+  if (html.empty()) html = "<p>Nothing is missing.</p>\n";
+  return "<section id=\"missing\">\n<h2>What is missing</h2>\n" + html + "</section>\n";
+}
+
+std::string Meaning(const Column& column) {
+  const std::optional<MetricForm> form = FindForm(column.metric);
+  std::string meaning = form ? EntryOf(form->id).meaning : "See the definition below.";
+  if (form && form->bodies == BodyGroup::kStanding) meaning += " Of objects that stand still.";
+  if (form && form->bodies == BodyGroup::kPredicted) {
+    meaning += " Of frames in which it was predicted.";
+  }
+  if (form && form->causal) meaning += " Causal: of the estimates at the time of each frame.";
+  if (const MetricEntry* entry = FindEntry(column.metric)) {
+    meaning += entry->higher_is_better() ? " Higher is better." : " Lower is better.";
+  }
+  return meaning;
+}
+
+std::string MetricHtml(const Column& column) {
+  const bool has_unit = column.unit != "1" && !column.unit.empty();
+  std::vector<std::string> definition;
+  for (const auto& [name, text] : ContractTexts(column.contract)) {
+    definition.push_back(StrCat(name, ": ", text));
+  }
+  std::string html =
+      StrCat(Element("dt", column.label + (has_unit ? StrCat(" [", column.unit, "]") : "")),
+             "\n<dd>", Escaped(Meaning(column)));
+  if (!definition.empty()) {
+    html += StrCat("<details><summary>Exact definition</summary>\n", ListHtml("", definition),
+                   "</details>");
+  }
+  return html + "</dd>\n";
+}
+
+std::string GlossarySection(const PageContent& content) {
+  std::string html = "<section id=\"glossary\">\n<h2>Terms and metrics</h2>\n<dl>\n";
+  for (const auto& [name, meaning] : kTerms) {
+    html += Element("dt", name) + Element("dd", meaning) + "\n";
+  }
+  if (content.table) {
+    for (const Column& column : content.table->columns) html += MetricHtml(column);
+  }
+  return html + "</dl>\n</section>\n";
+}
+
+// Lists each distinct set of facts once, with the number of runs it applies to.
+std::string FactsWithRunCounts(const std::vector<PageRun>& runs, std::vector<Fact> PageRun::*facts,
+                               const char* heading) {
+  using Count = std::pair<std::vector<Fact>, std::size_t>;
+  std::vector<Count> counted;
+  for (const PageRun& run : runs) {
+    if (!(run.*facts).empty()) ++FindOrAdd(counted, &Count::first, {run.*facts, 0}).second;
+  }
+  std::string html = Element("h3", heading) + "\n";
+  if (counted.empty()) html += "<p>Not known.</p>\n";
+  for (const auto& [of_runs, count] : counted) {
+    html += Element("p", Counted(count, "run") + ":") + "\n" + FactsHtml(of_runs);
+  }
+  return html;
+}
+
+std::string OptionsHtml(const Provenance& provenance) {
+  std::string html = "<h3>Options with values other than the default</h3>\n";
+  if (provenance.options.empty()) return html + "<p>None.</p>\n";
+  html += "<ul>\n";
+  for (const ChangedOption& option : provenance.options) {
+    const std::string usual = option.default_value;
+    html += StrCat("<li>", Element("code", option.path), ": ", Escaped(Listed(option.values)),
+                   usual.empty() ? "" : StrCat(" (default ", Escaped(usual), ")"), "</li>\n");
+  }
+  return html + "</ul>\n";
+}
+
+std::string OriginSection(const PageContent& content) {
+  std::string html = "<section id=\"origin\">\n<h2>Origin of the numbers</h2>\n";
+  html += FactsWithRunCounts(content.runs, &PageRun::build, "Program") +
+          FactsWithRunCounts(content.runs, &PageRun::machine, "Machine");
+  if (content.table) {
+    const Provenance& provenance = content.table->provenance;
+    html += OptionsHtml(provenance) + "<h3>Seeds</h3>\n" +
+            Element("p", Joined(provenance.seeds, ", ")) + "\n";
+  }
+  return html + "</section>\n";
 }
 
 std::string Navigation(const PageContent& content) {
-  std::string html = "<nav aria-label=\"Parts of this page\"><ul>\n";
-  const auto add = [&html](const char* id, const std::string& name) {
-    html += StrCat("<li><a href=\"#", id, "\">", name, "</a></li>\n");
-  };
-  add("summary", "Summary");
-  add("table", "Table");
+  std::vector<Fact> parts = {{"summary", "Summary"}, {"table", "Table"}};
   if (!content.compared_with.empty()) {
-    add("comparison", Escaped("Compared with " + content.compared_with));
+    parts.emplace_back("comparison", "Compared with " + content.compared_with);
   }
-  add("figures", "Figures");
-  add("scenes", "Frame by frame");
-  add("missing", "What is missing");
-  add("glossary", "Terms and metrics");
-  add("origin", "Origin of the numbers");
+  parts.insert(parts.end(), {{"figures", "Figures"},
+                             {"frames", "Frame by frame"},
+                             {"missing", "What is missing"},
+                             {"glossary", "Terms and metrics"},
+                             {"origin", "Origin of the numbers"}});
+  std::string html = "<nav aria-label=\"Parts of this page\"><ul>\n";
+  for (const auto& [id, name] : parts) {
+    html += StrCat("<li><a href=\"#", id, "\">", Escaped(name), "</a></li>\n");
+  }
   return html + "</ul></nav>\n";
-}
-
-std::string Body(const PageContent& content) {
-  return StrCat("<body>\n<a class=\"skip\" href=\"#summary\">Skip to the summary</a>\n<header>\n",
-                Element("h1", content.title), "\n<p>Results of ClusterVO-bench</p>\n",
-                Navigation(content), "</header>\n<main>\n", SummarySection(content),
-                TableSection(content), ComparisonSection(content), FigureSection(content),
-                SceneSection(content), MissingSection(content), GlossarySection(content),
-                OriginSection(content), "</main>\n<footer>\n", LicenceSection(), "</footer>\n");
-}
-
-std::string Script(std::string_view text) { return StrCat("<script>", text, "</script>\n"); }
-
-// The JSON of a figure. A figure that is not valid JSON becomes an empty one.
-std::string FigureJson(const Figure& figure) {
-  try {
-    return ScriptJson(ParseJson(figure.plotly, figure.id));
-  } catch (const Error&) {
-    return "{}";
-  }
 }
 
 }  // namespace
 
-// The script of the page comes before the large parts, so that the page can be used at once.
+std::string Escaped(std::string_view text) { return HtmlEscaped(Printable(text)); }
+
+std::string Element(const std::string& tag, std::string_view text) {
+  return "<" + tag + ">" + Escaped(text) + "</" + tag + ">";
+}
+
+std::string ListHtml(const std::string& heading, const std::vector<std::string>& texts) {
+  if (texts.empty()) return "";
+  std::string html = heading.empty() ? "<ul>\n" : Element("h3", heading) + "\n<ul>\n";
+  for (const std::string& text : texts) html += Element("li", text) + "\n";
+  return html + "</ul>\n";
+}
+
+std::string FactsHtml(const std::vector<Fact>& facts) {
+  if (facts.empty()) return "";
+  std::string html = "<dl class=\"facts\">\n";
+  for (const auto& [name, value] : facts) html += Element("dt", name) + Element("dd", value) + "\n";
+  return html + "</dl>\n";
+}
+
+std::string HtmlDocument(const std::string& title, const std::string& body) {
+  return StrCat(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: "
+      "'self' file:; style-src 'unsafe-inline'; script-src ",
+      ScriptSource(),
+      "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
+      Element("title", title), "\n<style>", PageStyle(), ChartCss(), "</style>\n</head>\n<body>\n",
+      body, "<p id=\"script-problem\" class=\"problem\" role=\"alert\" hidden></p>\n<script>",
+      PageScript(), "</script>\n</body>\n</html>\n");
+}
+
 std::string PageHtml(const PageContent& content) {
-  std::string html = Head(content) + Body(content);
-  html += DataBlock("page-data", PageDataJson(content));
-  html += Script(AppScript());
-  for (std::size_t i = 0; i < content.drawing.figures.size(); ++i) {
-    html += DataBlock(StrCat("figure-", i), FigureJson(content.drawing.figures[i]));
-  }
-  html += Script(PlotlyScript());
-  for (std::size_t i = 0; i < content.scenes.size(); ++i) {
-    html += DataBlock(StrCat("scene-", i), ScriptJson(SceneJson(content.scenes[i])));
-  }
-  return html + "</body>\n</html>\n";
+  return HtmlDocument(
+      content.title + ": ClusterVO-bench report",
+      StrCat("<header>\n", Element("h1", content.title), "\n<p>Results of ClusterVO-bench</p>\n",
+             Navigation(content), "</header>\n<main>\n", SummarySection(content),
+             TableSection(content), ComparisonSection(content), FiguresSection(content),
+             FramesSection(content), MissingSection(content), GlossarySection(content),
+             OriginSection(content), "</main>\n"));
 }
 
 }  // namespace cvo::reports

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <map>
 
 #include "core/base/error.h"
-#include "reports/figures/suite/suite_figures.h"
-#include "reports/page/choose_scenes.h"
-#include "reports/page/page_content.h"
-#include "reports/page/run_origin.h"
+#include "core/files/json/json.h"
+#include "reports/page/page.h"
+#include "reports/tables/cells.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo::reports {
@@ -16,24 +16,41 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostScenes = 24;
+
 // Runs a step. If it fails, the page is made without it and says so.
-void Try(const std::string& what, const std::function<void()>& step, PageContent& content) {
+void Try(const std::string& what, std::vector<std::string>& problems,
+         const std::function<void()>& step) {
   try {
     step();
   } catch (const std::exception& error) {
-    content.problems.push_back(StrCat(what, ": ", error.what()));
+    problems.push_back(StrCat(what, error.what()));
   }
 }
 
-PageRun DescribeRun(SuiteRun run, const PageRequest& request, OptionDefaults& defaults) {
-  PageRun described;
-  if (run.run) {
-    described.result = StrCat("jobs/", run.planned.job, "/result.json");
-    described.origin = ReadRunOrigin(request.folder / "jobs" / run.planned.job);
-    described.options = defaults.ChangedIn(run.run->options);
+// Adds a fact, or one fact per member of an object.
+void AddFact(std::string name, const Json& value, std::vector<Fact>& facts) {
+  if (value.is_object()) {
+    for (const auto& [part, of_part] : value.items()) AddFact(part, of_part, facts);
+    return;
   }
-  described.run = std::move(run);
-  return described;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  facts.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+// What produced a result: the program (result.json) and the machine (timing.json).
+void ReadOrigin(const fs::path& run_folder, PageRun& run) {
+  Try("", run.missing, [&] {
+    const Json json =
+        ReadJson(run_folder / "result.json", {"bodies", "clusters", "frames", "metrics"});
+    if (json.contains("build")) AddFact("build", json["build"], run.build);
+  });
+  Try("", run.missing, [&] {
+    const Json json = ReadJson(run_folder / "timing.json", {"frames"});
+    for (const char* name : {"host", "cpu", "cpus", "threads"}) {
+      if (json.contains(name)) AddFact(name, json[name], run.machine);
+    }
+  });
 }
 
 void ReadSuite(const PageRequest& request, PageContent& content) {
@@ -41,35 +58,29 @@ void ReadSuite(const PageRequest& request, PageContent& content) {
   content.title = plan.name;
   content.about = plan.about;
   for (const Fact& variant : request.variants) {
-    const auto is_of_it = [&](const PlannedRun& run) {
-      return KeyOf(run, "variant") == variant.first;
-    };
-    if (std::any_of(plan.runs.begin(), plan.runs.end(), is_of_it)) {
+    if (std::any_of(plan.runs.begin(), plan.runs.end(), [&](const PlannedRun& run) {
+          return KeyOf(run, "variant") == variant.first;
+        })) {
       content.variants.push_back(variant);
     }
   }
-  OptionDefaults defaults(request.default_options);
   for (SuiteRun& run : ReadRuns(request.folder, plan, {})) {
-    content.runs.push_back(DescribeRun(std::move(run), request, defaults));
+    PageRun& described = content.runs.emplace_back();
+    if (run.run) ReadOrigin(request.folder / "jobs" / run.planned.job, described);
+    described.run = std::move(run);
   }
 }
 
 void ReadScenes(const PageRequest& request, PageContent& content) {
-  const SceneChoice choice = ChooseScenes(
-      content.runs, content.table ? content.table->reference : "", request.most_scenes);
-  content.scenes_left_out = choice.left_out;
-  for (const auto& [run, wants_images] : choice.scenes) {
-    PageScene scene;
-    scene.run = run;
-    scene.wants_images = wants_images || request.images_of_all;
-    const fs::path folder = request.folder / "jobs" / content.runs[run].run.planned.job;
-    try {
-      scene.detail = ReadRunDetail(folder);
-      content.scenes.push_back(std::move(scene));
-    } catch (const std::exception& error) {
-      content.runs[run].origin.missing.push_back(StrCat("frame by frame: ", error.what()));
-    }
-  }
+  ChooseScenes(kMostScenes, content);
+  std::erase_if(content.scenes, [&](PageScene& scene) {
+    scene.wants_images = scene.wants_images || request.images_of_all;
+    PageRun& run = content.runs[scene.run];
+    const std::size_t missing = run.missing.size();
+    Try("frame by frame: ", run.missing,
+        [&] { scene.detail = ReadRunDetail(request.folder / "jobs" / run.run.planned.job); });
+    return run.missing.size() > missing;
+  });
 }
 
 // Compares the two folders. The texts name them without their paths.
@@ -87,29 +98,88 @@ Table Compare(const PageRequest& request) {
 
 // Removes the path of the folder from messages that name files, since it is private and differs
 // between machines.
-void ForgetFolder(const std::string& folder, std::string& text) {
-  for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) {
-    text.erase(at, folder.size());
-  }
-}
-
-void ForgetFolder(const std::string& folder, std::vector<std::string>& texts) {
-  for (std::string& text : texts) ForgetFolder(folder, text);
-}
-
 void ForgetFolder(const std::string& folder, PageContent& content) {
-  ForgetFolder(folder, content.problems);
+  const auto forget = [&folder](std::string& text) {
+    for (auto at = text.find(folder); at != std::string::npos; at = text.find(folder)) {
+      text.erase(at, folder.size());
+    }
+  };
+  std::for_each(content.problems.begin(), content.problems.end(), forget);
+  std::for_each(content.drawing.not_drawn.begin(), content.drawing.not_drawn.end(), forget);
   for (PageRun& run : content.runs) {
-    ForgetFolder(folder, run.origin.missing);
-    ForgetFolder(folder, run.run.message);
+    std::for_each(run.missing.begin(), run.missing.end(), forget);
+    forget(run.run.message);
   }
-  ForgetFolder(folder, content.drawing.not_drawn);
-  for (PageScene& scene : content.scenes) ForgetFolder(folder, scene.detail.missing);
+  for (PageScene& scene : content.scenes) {
+    std::for_each(scene.detail.missing.begin(), scene.detail.missing.end(), forget);
+  }
   if (!content.table) return;
-  for (Problem& problem : content.table->problems) ForgetFolder(folder, problem.message);
+  for (Problem& problem : content.table->problems) forget(problem.message);
+}
+
+std::vector<std::size_t> FirstSeeds(const std::vector<PageRun>& runs) {
+  // By everything that identifies a run, except the seed.
+  std::map<std::map<std::string, std::string>, std::size_t> first;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const SuiteRun& run = runs[i].run;
+    if (!run.run || run.planned.system) continue;
+    const auto [entry, added] = first.try_emplace(run.planned.keys, i);
+    if (!added && run.planned.seed < runs[entry->second].run.planned.seed) entry->second = i;
+  }
+  std::vector<std::size_t> chosen;
+  for (const auto& [keys, run] : first) chosen.push_back(run);
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+// The priority of showing the images of a run; lower comes first.
+int Rank(const PageRun& run, const std::string& reference) {
+  const std::string variant = KeyOf(run.run.planned, "variant");
+  if (variant == "full") return 0;
+  return variant == reference || "variant=" + variant == reference ? 1 : 2;
+}
+
+// The share of frames of moving bodies that the run estimates within 10 cm; 1 if it has no moving
+// body.
+double SuccessOf(const PageRun& run) {
+  const BodyMetric success = *FindBodyMetric("object_success_10cm");
+  Part total = {0.0, 0.0};
+  if (!run.run.run->bodies) return 1.0;
+  for (const BodyRow& body : run.run.run->bodies->refined) {
+    const std::optional<Part> part = PartOf(success, body);
+    if (!part) continue;
+    total.sum += part->sum;
+    total.weight += part->weight;
+  }
+  return total.weight > 0.0 ? total.sum / total.weight : 1.0;
 }
 
 }  // namespace
+
+void ChooseScenes(std::size_t most, PageContent& content) {
+  const std::vector<PageRun>& runs = content.runs;
+  const std::string reference = content.table ? content.table->reference : "";
+  std::vector<std::size_t> candidates = FirstSeeds(runs);
+  if (candidates.size() > most) {
+    std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
+      return SuccessOf(runs[a]) < SuccessOf(runs[b]);
+    });
+  }
+  std::map<std::string, std::size_t> with_images;  // by sequence
+  for (const std::size_t i : candidates) {
+    const auto [entry, added] = with_images.try_emplace(KeyOf(runs[i].run.planned, "sequence"), i);
+    if (!added && Rank(runs[i], reference) < Rank(runs[entry->second], reference)) {
+      entry->second = i;
+    }
+  }
+  for (const std::size_t i : candidates) {
+    content.scenes.push_back({i, with_images[KeyOf(runs[i].run.planned, "sequence")] == i});
+  }
+  std::stable_partition(content.scenes.begin(), content.scenes.end(),
+                        [](const PageScene& scene) { return scene.wants_images; });
+  content.scenes.resize(std::min(most, candidates.size()));
+  content.scenes_left_out = candidates.size() - content.scenes.size();
+}
 
 PageContent ReadPage(const PageRequest& request) {
   const fs::path plan = request.folder / "plan.json";
@@ -118,24 +188,17 @@ PageContent ReadPage(const PageRequest& request) {
   }
   PageContent content;
   content.title = request.folder.filename().string();
-  Try(
-      "suite", [&] { ReadSuite(request, content); }, content);
-  Try(
-      "table",
-      [&] {
-        content.table = MakeTable(request.folder, ShippedReference(), request.default_options);
-      },
-      content);
+  Try("suite: ", content.problems, [&] { ReadSuite(request, content); });
+  Try("table: ", content.problems, [&] {
+    content.table = MakeTable(request.folder, ShippedReference(), request.default_options);
+  });
   if (content.table) {
-    Try(
-        "figures",
-        [&] { content.drawing = SuiteFigures(ReadSuiteData(request.folder, *content.table)); },
-        content);
+    Try("figures: ", content.problems,
+        [&] { content.drawing = MakeSuiteFigures(ReadSuiteData(request.folder, *content.table)); });
   }
   if (!request.against.empty()) {
     content.compared_with = request.against.filename().string();
-    Try(
-        "comparison", [&] { content.comparison = Compare(request); }, content);
+    Try("comparison: ", content.problems, [&] { content.comparison = Compare(request); });
   }
   ReadScenes(request, content);
   ForgetFolder((request.folder / "").string(), content);

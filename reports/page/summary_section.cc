@@ -1,17 +1,114 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "reports/figures/numbers.h"
 #include "reports/page/html.h"
-#include "reports/page/page_parts.h"
 #include "reports/statistics/estimate.h"
+#include "reports/tables/cells.h"
 
 namespace cvo::reports {
 namespace {
+
+std::string WithUnit(const std::string& number, const std::string& unit) {
+  return unit.empty() ? number : StrCat(number, " ", unit);
+}
+
+// A number with its unit for readers: "0.0625 m", "93.1 %" for a share, "3" for a count.
+std::string QuantityText(double value, const Column& column) {
+  const Shown shown = ShownAs(column.metric, column.unit);
+  return WithUnit(NumberText(shown.scale * value), shown.unit);
+}
+
+// The same for a difference, with its sign.
+std::string ChangeText(double value, const Column& column) {
+  const Shown shown = ShownAs(column.metric, column.unit);
+  return WithUnit(StrCat(value > 0.0 ? "+" : "", NumberText(shown.scale * value)),
+                  shown.is_share ? "percentage points" : shown.unit);
+}
+
+// "0.05 to 0.07 m".
+std::string RangeText(const Interval& interval, const Column& column) {
+  const Shown shown = ShownAs(column.metric, column.unit);
+  return StrCat(NumberText(shown.scale * interval.low), " to ",
+                QuantityText(interval.high, column));
+}
+
+// The label of a column, with its unit if another column has the same label.
+std::string NameOf(const Column& column, const Table& table) {
+  const auto count =
+      std::count_if(table.columns.begin(), table.columns.end(),
+                    [&](const Column& other) { return other.label == column.label; });
+  return count > 1 ? StrCat(column.label, " (", column.unit, ")") : column.label;
+}
+
+// A significant difference.
+std::string FindingHtml(const std::string& name, const std::string& verdict, const Column& column,
+                        const Difference& difference, const std::string& reference) {
+  std::string text = StrCat(QuantityText(difference.value, column), " instead of ",
+                            QuantityText(difference.reference_value, column), " with ", reference,
+                            ": ", ChangeText(difference.difference, column));
+  if (difference.interval) {
+    text += StrCat(" (interval ", RangeText(*difference.interval, column), "; ", difference.pairs,
+                   " pairs)");
+  }
+  return StrCat("<li class=\"", verdict, "\"><strong>", Escaped(name), "</strong> ",
+                "<span class=\"verdict\">", verdict, "</span>: ", Escaped(text), ".</li>\n");
+}
+
+// The columns in which a row differs from its reference, by VerdictText.
+struct RowFindings {
+  std::map<std::string, std::vector<std::string>> names;
+  std::map<std::string, std::string> items;  // HTML of the significant ones
+};
+
+RowFindings FindingsOf(const Row& row, const Table& table, const std::string& reference) {
+  RowFindings found;
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const auto& difference = row.cells[i].difference;
+    if (!difference) continue;
+    const Column& column = table.columns[i];
+    const std::string name = NameOf(column, table);
+    const std::string verdict = VerdictText(*difference, column.metric);
+    found.names[verdict].push_back(name);
+    if (!difference->distinguishable) continue;
+    found.items[verdict] += FindingHtml(name, verdict, column, *difference, reference);
+  }
+  return found;
+}
+
+std::string Headline(const RowFindings& found) {
+  std::vector<std::string> parts;
+  std::size_t all = 0;
+  for (const auto& [verdict, names] : found.names) {
+    all += names.size();
+    if (!found.items.contains(verdict)) continue;
+    parts.push_back(StrCat(verdict == "differs" ? "different" : verdict, " in ", names.size()));
+  }
+  if (!parts.empty()) return StrCat(Listed(parts), " of ", Counted(all, "metric"));
+  const std::string& last = found.names.rbegin()->first;
+  const bool undecided = last.starts_with("undecided") && !found.names.contains("not significant");
+  return undecided ? last : "no significant difference";
+}
+
+std::string RowHtml(const RowFindings& found, const std::string& label) {
+  std::string html = Element("h3", StrCat(label, ": ", Headline(found))) + "\n";
+  if (!found.items.empty()) html += "<ul class=\"findings\">\n";
+  for (const char* verdict : {"worse", "better", "differs"}) {
+    if (found.items.contains(verdict)) html += found.items.at(verdict);
+  }
+  if (!found.items.empty()) html += "</ul>\n";
+  for (const auto& [verdict, names] : found.names) {
+    if (found.items.contains(verdict)) continue;
+    html += StrCat("<p class=\"unclear\">", Capitalised(verdict), ": ", Escaped(Listed(names)),
+                   ".</p>\n");
+  }
+  return html;
+}
 
 constexpr std::size_t kNamed = 12;  // any more are only counted
 
@@ -53,15 +150,6 @@ std::string ComparedText(const PageContent& content, const Table& table) {
                 splits.empty() ? "" : ".");
 }
 
-std::string VariantsHtml(const std::vector<Fact>& variants) {
-  if (variants.empty()) return "";
-  std::string html = "<dl class=\"facts\">\n";
-  for (const auto& [name, meaning] : variants) {
-    html += Element("dt", name) + Element("dd", meaning) + "\n";
-  }
-  return html + "</dl>\n";
-}
-
 std::string JobsText(const JobCounts& jobs) {
   std::string text = StrCat(jobs.done, " of ", Counted(jobs.planned, "run"), " ",
                             jobs.done == 1 ? "is" : "are", " complete");
@@ -88,43 +176,58 @@ std::string RuleText(const std::string& reference) {
 
 }  // namespace
 
+std::string FindingsHtml(const Table& table, const std::string& reference) {
+  std::string html;
+  std::vector<std::string> unchanged;
+  for (const Row& row : table.rows) {
+    const RowFindings found = FindingsOf(row, table, reference);
+    if (found.names.empty()) continue;
+    if (found.names.size() == 1 && found.names.contains("the same")) {
+      unchanged.push_back(RowLabel(row));
+    } else {
+      html += RowHtml(found, RowLabel(row));
+    }
+  }
+  if (!unchanged.empty()) {
+    html += Element("p", "The same in every metric: " + Listed(unchanged) + ".") + "\n";
+  }
+  return html;
+}
+
 std::string SummarySection(const PageContent& content) {
   std::string html = "<section id=\"summary\">\n<h2>Summary</h2>\n";
   if (!content.about.empty()) html += Element("p", content.about) + "\n";
   for (const std::string& problem : content.problems) {
     html += "<p class=\"problem\">" + Escaped(problem) + "</p>\n";
   }
-  if (content.table) {
-    const Table& table = *content.table;
-    html += Element("p", ComparedText(content, table)) + "\n" + VariantsHtml(content.variants);
-    html += "<p>" + Escaped(JobsText(table.jobs));
-    html += table.problems.empty() ? "</p>\n"
-                                   : " <a href=\"#missing\">What is missing, and why</a>.</p>\n";
-    if (table.reference.empty()) {
-      html += "<p>No row is the reference, so no differences are reported.</p>\n";
-    } else {
-      html += "<h2>Significant differences</h2>\n" + Element("p", RuleText(table.reference));
-      const std::string findings = FindingsHtml(table, table.reference);
-      html += findings.empty() ? "<p>There is nothing to compare yet.</p>\n" : findings;
-    }
+  if (!content.table) return html + "</section>\n";
+  const Table& table = *content.table;
+  html += Element("p", ComparedText(content, table)) + "\n" + FactsHtml(content.variants);
+  html += "<p>" + Escaped(JobsText(table.jobs));
+  if (!table.problems.empty()) html += " <a href=\"#missing\">What is missing, and why</a>.";
+  html += "</p>\n";
+  if (table.reference.empty()) {
+    return html + "<p>No row is the reference, so no differences are reported.</p>\n</section>\n";
   }
+  html += "<h2>Significant differences</h2>\n" + Element("p", RuleText(table.reference)) + "\n";
+  const std::string findings = FindingsHtml(table, table.reference);
+  html += findings.empty() ? "<p>There is nothing to compare yet.</p>\n" : findings;
   return html + "</section>\n";
 }
 
 std::string ComparisonSection(const PageContent& content) {
   if (content.compared_with.empty()) return "";
-  std::string html = "<section id=\"comparison\">\n<h2>Compared with " +
-                     Escaped(content.compared_with) + "</h2>\n";
+  const std::string& other = content.compared_with;
+  std::string html =
+      StrCat("<section id=\"comparison\">\n", Element("h2", "Compared with " + other), "\n");
   if (!content.comparison) {
     return html +
            "<p class=\"problem\">The two results cannot be compared: see above.</p>\n</section>\n";
   }
-  html +=
-      Element("p", StrCat("Differences between these results and those of ", content.compared_with,
-                          ". Runs are paired by row, sequence and seed. ",
-                          RuleText(content.compared_with)));
-  html += FindingsHtml(*content.comparison, content.compared_with);
-  return html + TableFrame(*content.comparison, "comparison") + "</section>\n";
+  html += Element("p", StrCat("Differences between these results and those of ", other,
+                              ". Runs are paired by row, sequence and seed. ", RuleText(other)));
+  return StrCat(html, "\n", FindingsHtml(*content.comparison, other),
+                ResultTable(*content.comparison, "comparison-table"), "</section>\n");
 }
 
 }  // namespace cvo::reports

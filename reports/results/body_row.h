@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/files/json/json_record.h"
-#include "reports/statistics/common_frames.h"
+#include "reports/statistics/position_errors.h"
 
 namespace cvo::reports {
 

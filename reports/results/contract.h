@@ -266,7 +266,6 @@ struct Contract {
   std::optional<Delta> delta;
   std::optional<Aggregation> aggregation;
   std::optional<double> limit_m;
-  std::optional<std::string> sentences;  // of schema 2, in place of the other fields
 
   bool operator==(const Contract&) const = default;
   template <typename Self, typename Archive>
@@ -287,7 +286,6 @@ struct Contract {
     archive.Optional("delta", self.delta);
     archive.Optional("aggregation", self.aggregation);
     archive.Optional("limit_m", self.limit_m);
-    archive.Optional("sentences", self.sentences);
   }
 };
 

@@ -126,7 +126,6 @@ std::vector<std::pair<std::string, std::string>> ContractTexts(const Contract& c
   add("frame", SubjectText(contract));
   add("truth", TruthText(contract));
   add("correction", CorrectionText(contract));
-  add("as schema 2 states it", contract.sentences.value_or(""));
   return texts;
 }
 

@@ -13,7 +13,6 @@
 #include "reports/results/build_info.h"
 #include "reports/results/calibration_state.h"
 #include "reports/results/metric_value.h"
-#include "reports/results/schema_2.h"
 
 namespace cvo::reports {
 
@@ -126,11 +125,6 @@ struct RunSummary {
   std::vector<MetricValue> metrics;
   std::optional<RunBodies> bodies;              // empty without truth
   std::optional<CalibrationState> calibration;  // at the end; empty if it was not estimated
-  int upgraded_from = 0;  // schema version of the file, if it is not the present one
-
-  static Json Upgraded(Json json, const std::string& where) {
-    return UpgradedFromSchema2(std::move(json), where);
-  }
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -148,7 +142,6 @@ struct RunSummary {
     archive.Added("metrics", self.metrics);
     archive.Added("bodies", self.bodies);
     archive.Optional("calibration", self.calibration);
-    archive.Optional("upgraded_from", self.upgraded_from);
   }
 };
 

@@ -3,12 +3,16 @@
 #include "reports/runs/body_story.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <set>
+#include <span>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/csv_file.h"
+#include "core/files/text/number.h"
+#include "core/files/text_file.h"
 
 namespace cvo::reports {
 namespace {
@@ -16,12 +20,11 @@ namespace {
 using LabelCounts = std::map<std::int64_t, int>;
 
 // Returns for each cluster of a frame the number of its landmarks by body.
-std::map<std::int64_t, LabelCounts> BodiesOfClusters(
-    const std::vector<LabelledLandmark>& landmarks) {
+std::map<std::int64_t, LabelCounts> BodiesOfClusters(const std::vector<LandmarkRow>& landmarks) {
   std::map<std::int64_t, LabelCounts> bodies;
-  for (const LabelledLandmark& landmark : landmarks) {
-    if (landmark.assigned > 0 && landmark.truth_body >= 0) {
-      ++bodies[landmark.assigned][landmark.truth_body];
+  for (const LandmarkRow& landmark : landmarks) {
+    if (landmark.label > 0 && landmark.truth_body >= 0) {
+      ++bodies[landmark.label][landmark.truth_body];
     }
   }
   return bodies;
@@ -38,34 +41,6 @@ std::int64_t MostOf(const LabelCounts& counts) {
 int Total(const LabelCounts& counts) {
   return std::accumulate(counts.begin(), counts.end(), 0,
                          [](int sum, const auto& count) { return sum + count.second; });
-}
-
-LabelContest ContestOf(const std::vector<LabelledLandmark>& landmarks, int body,
-                       std::int64_t cluster) {
-  LabelContest contest;
-  if (cluster < 0) return contest;
-  LabelCounts wrong;
-  for (const LabelledLandmark& landmark : landmarks) {
-    if (landmark.truth_body == body && landmark.inferred != cluster) ++wrong[landmark.inferred];
-  }
-  contest.wrong = Total(wrong);
-  contest.label = MostOf(wrong);
-  for (const LabelledLandmark& landmark : landmarks) {
-    if (landmark.truth_body != body || landmark.inferred != contest.label ||
-        landmark.second != cluster || contest.wrong == 0) {
-      continue;
-    }
-    ++contest.told;
-    for (std::size_t i = 0; i < 3; ++i) {
-      contest.energies[i] += landmark.energies[i];
-      contest.true_energies[i] += landmark.second_energies[i];
-    }
-  }
-  for (std::size_t i = 0; i < 3 && contest.told > 0; ++i) {
-    contest.energies[i] /= contest.told;
-    contest.true_energies[i] /= contest.told;
-  }
-  return contest;
 }
 
 // Returns the stage in a frame in which the body is judged.
@@ -89,10 +64,10 @@ BodyStage StageOf(const BodyFrame& frame, const BodyDetail& body) {
   return BodyStage::kLabel;
 }
 
-void CountLandmarks(const std::vector<LabelledLandmark>& landmarks, const BodyDetail& body,
+void CountLandmarks(const std::vector<LandmarkRow>& landmarks, const BodyDetail& body,
                     BodyFrame& frame) {
-  for (const LabelledLandmark& landmark : landmarks) {
-    if (landmark.truth_body == body.id) ++frame.landmarks[landmark.assigned];
+  for (const LandmarkRow& landmark : landmarks) {
+    if (landmark.truth_body == body.id) ++frame.landmarks[landmark.label];
   }
   const std::map<std::int64_t, LabelCounts> clusters = BodiesOfClusters(landmarks);
   int most = 0;
@@ -118,31 +93,78 @@ void CountLandmarks(const std::vector<LabelledLandmark>& landmarks, const BodyDe
   if (shown > 0 && shown != body.id && enough) frame.other_body = shown;
 }
 
+// "12 landmarks: 8 cluster 7, 3 cluster 1, 1 static", and what else its cluster is on.
+std::string LandmarkWords(const BodyStory& story, const BodyFrame& frame,
+                          const std::vector<BodyDetail>& bodies) {
+  std::vector<std::pair<std::int64_t, int>> counts(frame.landmarks.begin(), frame.landmarks.end());
+  std::stable_sort(counts.begin(), counts.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string words = StrCat(frame.Seen());
+  const char* before = ": ";
+  for (const auto& [label, count] : counts) {
+    words += StrCat(before, count, " ",
+                    label > 0               ? StrCat("cluster ", label)
+                    : label == kStaticLabel ? "static"
+                                            : "outliers");
+    if (label == story.body.cluster) words += " (its own)";
+    before = ", ";
+  }
+  if (frame.other_body > 0) {
+    const BodyDetail* other = FindBy(bodies, &BodyDetail::id, frame.other_body);
+    words += "; its cluster is mostly on " +
+             (other == nullptr ? StrCat("body ", frame.other_body) : other->name);
+  } else if (frame.strangers > 0) {
+    words += StrCat("; ", frame.strangers, " of cluster ", story.body.cluster, " on other things");
+  }
+  return words;
+}
+
+std::string ErrorRange(std::span<const BodyFrame> stretch) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const BodyFrame& frame : stretch) {
+    if (!frame.error_m) continue;
+    low = std::min(low, 100.0 * *frame.error_m);
+    high = std::max(high, 100.0 * *frame.error_m);
+  }
+  if (high < low) return "-";
+  const std::string most = FormatGeneral(high, 3);
+  const std::string least = FormatGeneral(low, 3);
+  return least == most ? most : least + " to " + most;
+}
+
+std::string DetectedShare(std::span<const BodyFrame> stretch) {
+  int known = 0;
+  int shown = 0;
+  for (const BodyFrame& frame : stretch) {
+    known += frame.detected ? 1 : 0;
+    shown += frame.detected.value_or(false) ? 1 : 0;
+  }
+  return known == 0 ? "" : StrCat(shown, " of ", known);
+}
+
+struct StageText {
+  const char* name;
+  const char* meaning;
+};
+
+// In the order of BodyStage.
+constexpr std::array<StageText, 9> kStageTexts = {
+    {{"not judged", ""},
+     {"good", "nothing is wrong with it"},
+     {"detection missing", "the detector missed it while no cluster tracked it"},
+     {"no landmarks", "too few landmarks are seen on it"},
+     {"label wrong", "its landmarks are labelled as something else"},
+     {"merged into another body", "its landmarks are in the cluster of another body"},
+     {"not confirmed yet", "its cluster waits for a second detection"},
+     {"under another id", "a cluster other than the one that is scored tracks it"},
+     {"motion wrong", "its landmarks have the right label, but its pose is wrong"}}};
+
+const StageText& TextOf(BodyStage stage) { return kStageTexts[static_cast<std::size_t>(stage)]; }
+
 }  // namespace
 
-std::string_view StageName(BodyStage stage) {
-  switch (stage) {
-    case BodyStage::kHidden:
-      return "not judged";
-    case BodyStage::kGood:
-      return "good";
-    case BodyStage::kNoDetection:
-      return "detection missing";
-    case BodyStage::kNoLandmarks:
-      return "no landmarks";
-    case BodyStage::kLabel:
-      return "label wrong";
-    case BodyStage::kJoined:
-      return "merged into another body";
-    case BodyStage::kUnconfirmed:
-      return "not confirmed yet";
-    case BodyStage::kIdentity:
-      return "under another id";
-    case BodyStage::kMotion:
-      return "motion wrong";
-  }
-  return "";
-}
+std::string_view StageName(BodyStage stage) { return TextOf(stage).name; }
 
 int BodyFrame::Seen() const { return Total(landmarks); }
 
@@ -172,32 +194,9 @@ BodyStage BodyStory::Cause() const {
   return cause;
 }
 
-LandmarksByFrame ReadLabelledLandmarks(const std::filesystem::path& file) {
-  const CsvFile csv(file);
-  if (!csv.Has("second")) {
-    ThrowError(file.string(), "no column \"second\"", "landmarks.csv of this version of run");
-  }
-  const std::size_t frame = csv.Column("frame");
-  const std::size_t assigned = csv.Column("cluster");
-  const std::size_t inferred = csv.Column("inferred");
-  const std::size_t energies = csv.Columns({"energy_2d", "energy_3d", "energy_motion"});
-  const std::size_t second = csv.Columns({"second", "second_2d", "second_3d", "second_motion"});
-  const std::size_t body = csv.Column("truth_body");
-  LandmarksByFrame landmarks;
-  const auto label = [&](std::size_t row, std::size_t column) {
-    return csv.Empty(row, column) ? std::int64_t{-1} : csv.Id(row, column);
-  };
-  for (std::size_t i = 0; i < csv.rows(); ++i) {
-    landmarks[csv.Integer(i, frame)].push_back(
-        {label(i, assigned), label(i, inferred), csv.Numbers<3>(i, energies), label(i, second),
-         csv.Numbers<3>(i, second + 1), csv.Empty(i, body) ? -1 : csv.Integer(i, body)});
-  }
-  return landmarks;
-}
-
 BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const LandmarksByFrame& landmarks,
                     const Detected& detected) {
-  static const std::vector<LabelledLandmark> kNone;
+  static const std::vector<LandmarkRow> kNone;
   std::set<std::pair<int, std::int64_t>> reported;
   for (const ClusterRow& row : run.clusters) {
     if (!row.predicted) reported.emplace(row.frame, row.id);
@@ -210,7 +209,7 @@ BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const Landmark
     BodyFrame frame;
     frame.frame = number;
     const auto seen = landmarks.find(number);
-    const std::vector<LabelledLandmark>& labelled = seen == landmarks.end() ? kNone : seen->second;
+    const std::vector<LandmarkRow>& labelled = seen == landmarks.end() ? kNone : seen->second;
     const auto error = errors_m.find(number);
     if (error != errors_m.end()) frame.error_m = error->second;
     const auto shown = detected.find(number);
@@ -219,17 +218,93 @@ BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const Landmark
     frame.reported = reported.contains({number, frame.cluster});
     const bool judged = std::binary_search(body.visible.begin(), body.visible.end(), number);
     if (judged) frame.stage = StageOf(frame, body);
-    frame.contest = ContestOf(labelled, body.id, frame.cluster);
     story.frames.push_back(std::move(frame));
   }
-  story.events = FindEvents(story);
   return story;
 }
 
-const BodyFrame& FrameOf(const BodyStory& story, int frame) {
-  const BodyFrame* found = FindBy(story.frames, &BodyFrame::frame, frame);
-  Require(found != nullptr, "FrameOf: a frame of the story");
-  return *found;
+std::vector<BodyEvent> EventsOf(const BodyStory& story) {
+  constexpr int kLeastLoss = 3;  // frames
+  std::map<int, std::string> events;
+  const auto add = [&](int frame, const std::string& what) {
+    std::string& all = events[frame];
+    all += (all.empty() ? "" : ", ") + what;
+  };
+  const BodyFrame* worst = nullptr;
+  const BodyFrame* lost = nullptr;  // the first frame of a loss
+  int lost_for = 0;
+  bool joined = false;
+  for (const BodyFrame& frame : story.frames) {
+    if (frame.stage == BodyStage::kHidden) continue;
+    if (frame.stage == BodyStage::kJoined && !std::exchange(joined, true)) {
+      add(frame.frame, "merged into another body");
+    }
+    if (!frame.error_m) {
+      if (lost_for++ == 0) lost = &frame;
+      if (worst != nullptr && lost_for == kLeastLoss) add(lost->frame, "lost");
+      continue;
+    }
+    if (worst == nullptr) {
+      add(frame.frame, "first estimated");
+    } else if (lost_for >= kLeastLoss) {
+      add(frame.frame, "found again");
+    }
+    lost_for = 0;
+    if (worst == nullptr || *frame.error_m > *worst->error_m) worst = &frame;
+  }
+  if (worst != nullptr) {
+    add(worst->frame, StrCat("worst error, ", FormatGeneral(100.0 * *worst->error_m, 3), " cm"));
+  }
+  std::vector<BodyEvent> in_order;
+  for (const auto& [frame, what] : events) in_order.push_back({frame, what});
+  return in_order;
+}
+
+std::vector<std::string> StoryLines(const BodyStory& story) {
+  const BodyDetail& body = story.body;
+  std::vector<std::string> lines;
+  lines.push_back(StrCat(body.name, " (", body.category, body.mover ? ", moves" : ", stands",
+                         body.cluster > 0 ? StrCat(", cluster ", body.cluster) : ", no cluster",
+                         "): ", story.Count(BodyStage::kGood), " of ",
+                         Counted(story.Judged(), "judged frame"), " within 10 cm"));
+  std::string wrong;
+  for (const BodyStage stage : kWrongStages) {
+    if (story.Count(stage) == 0) continue;
+    wrong += StrCat(wrong.empty() ? "" : ", ", StageName(stage), " ", story.Count(stage));
+  }
+  if (!wrong.empty()) lines.push_back("frames by failed stage: " + wrong);
+  const BodyStage cause = story.Cause();
+  const std::string meaning = TextOf(cause).meaning;
+  lines.push_back(cause == BodyStage::kGood ? meaning : StrCat(StageName(cause), ": ", meaning));
+  return lines;
+}
+
+std::vector<TimelineRow> TimelineOf(const BodyStory& story, const std::vector<BodyDetail>& bodies) {
+  const std::vector<BodyEvent> events = EventsOf(story);
+  std::vector<TimelineRow> rows;
+  const auto& frames = story.frames;
+  for (auto first = frames.begin(); first != frames.end();) {
+    const auto last = std::find_if(first, frames.end(), [&](const BodyFrame& frame) {
+      return frame.stage != first->stage || frame.frame - first->frame != &frame - &*first;
+    });
+    if (first->stage != BodyStage::kHidden) {
+      const std::span<const BodyFrame> stretch(first, last);
+      TimelineRow row;
+      row.frames = StrCat(stretch.front().frame);
+      if (stretch.size() > 1) row.frames += StrCat("-", stretch.back().frame);
+      row.stage = StageName(first->stage);
+      row.error_cm = ErrorRange(stretch);
+      row.detected = DetectedShare(stretch);
+      row.landmarks = LandmarkWords(story, *first, bodies);
+      for (const BodyEvent& event : events) {
+        if (event.frame < stretch.front().frame || event.frame > stretch.back().frame) continue;
+        row.events += StrCat(row.events.empty() ? "" : "; ", event.frame, " ", event.what);
+      }
+      rows.push_back(std::move(row));
+    }
+    first = last;
+  }
+  return rows;
 }
 
 }  // namespace cvo::reports

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,20 +12,6 @@
 #include "reports/runs/run_detail.h"
 
 namespace cvo::reports {
-
-// A row of landmarks.csv. A label is the id of a cluster, 0 for the static scene, -1 for none.
-struct LabelledLandmark {
-  std::int64_t assigned = -1;
-  std::int64_t inferred = -1;
-  std::array<double, 3> energies{};  // of the inferred label, nats: 2D box, 3D affinity, motion
-  std::int64_t second = -1;          // label with the lowest energy of the others
-  std::array<double, 3> second_energies{};
-  int truth_body = -1;
-};
-using LandmarksByFrame = std::map<int, std::vector<LabelledLandmark>>;
-
-// Throws Error for a damaged file, and for one of an older version without the second label.
-LandmarksByFrame ReadLabelledLandmarks(const std::filesystem::path& file);
 
 // What is wrong with a body in a frame: the first stage of the estimator at which it goes wrong.
 enum class BodyStage {
@@ -49,16 +34,6 @@ inline constexpr int kLeastLandmarks = 3;
 // Returns the name of a stage, such as "detection missing".
 std::string_view StageName(BodyStage stage);
 
-// Landmarks on the body that were inferred to be part of something else, although a cluster tracked
-// it.
-struct LabelContest {
-  int wrong = 0;
-  std::int64_t label = -1;                // label that most of them got
-  int told = 0;                           // number of those with known energies of the true label
-  std::array<double, 3> energies{};       // means over these, of `label`
-  std::array<double, 3> true_energies{};  // means over these, of the true label
-};
-
 struct BodyFrame {
   int frame = 0;
   BodyStage stage = BodyStage::kHidden;
@@ -73,21 +48,14 @@ struct BodyFrame {
   // none.
   std::int64_t other_body = -1;
   int strangers = 0;  // landmarks of the scored cluster that are on something else
-  LabelContest contest;
 
   int Seen() const;                     // number of landmarks on the body
   int Labelled(std::int64_t id) const;  // number of those with label `id`
 };
 
-struct BodyEvent {
-  int frame = 0;
-  std::string what;  // "first estimated", "lost", ...
-};
-
 struct BodyStory {
   BodyDetail body;
   std::vector<BodyFrame> frames;  // in which the body has truth
-  std::vector<BodyEvent> events;  // most important ones, by frame
 
   int Count(BodyStage stage) const;
   int Judged() const;  // number of judged frames
@@ -101,10 +69,29 @@ using Detected = std::map<int, bool>;
 BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const LandmarksByFrame& landmarks,
                     const Detected& detected);
 
-// Returns the frames to look at: the first estimate, the longest losses and errors, the recoveries
-// from these losses, the first merge into another body, and the worst error.
-std::vector<BodyEvent> FindEvents(const BodyStory& story);
+struct BodyEvent {
+  int frame = 0;
+  std::string what;  // "first estimated", "lost", ...
+};
 
-const BodyFrame& FrameOf(const BodyStory& story, int frame);
+// Returns the frames to look at, in order: the first estimate, losses of at least three judged
+// frames and the recoveries from them, the first merge into another body, and the worst error.
+std::vector<BodyEvent> EventsOf(const BodyStory& story);
+
+// Describes what happened to the body as a whole: the number of frames by stage, and the cause.
+std::vector<std::string> StoryLines(const BodyStory& story);
+
+// Successive judged frames in the same stage, in words.
+struct TimelineRow {
+  std::string frames;  // "5-13"
+  std::string stage;
+  std::string error_cm;   // "1.2 to 13.6"; "-": not estimated
+  std::string detected;   // "8 of 9"; empty: unknown
+  std::string landmarks;  // in the first of the frames, by label
+  std::string events;     // in these frames
+};
+
+// `bodies` provides the names of other bodies.
+std::vector<TimelineRow> TimelineOf(const BodyStory& story, const std::vector<BodyDetail>& bodies);
 
 }  // namespace cvo::reports

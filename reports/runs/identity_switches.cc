@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "core/files/csv_file.h"
+#include "core/files/text_file.h"
 
 namespace cvo::reports {
 namespace {

@@ -7,12 +7,9 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/statistics/aligned_errors.h"
-#include "reports/statistics/common_frames.h"
 #include "reports/statistics/estimate.h"
-#include "reports/tables/body_metrics.h"
-#include "reports/tables/columns.h"
-#include "reports/tables/comparisons.h"
+#include "reports/statistics/position_errors.h"
+#include "reports/tables/cells.h"
 
 namespace cvo::reports {
 namespace {

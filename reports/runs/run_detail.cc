@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/runs/run_detail.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <functional>
 
+#include "core/files/text_file.h"
 #include "reports/results/run_summary.h"
 #include "reports/results/timing.h"
-#include "reports/runs/detail_files.h"
 
 namespace cvo::reports {
 namespace {
@@ -19,8 +22,6 @@ struct FramesOfRun {
   static constexpr const char* kKind = RunSummary::kKind;
 
   std::vector<CameraFrame> frames;
-
-  static Json Upgraded(Json json, const std::string&) { return json; }  // schema 2 has the same
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -48,7 +49,179 @@ void ReadTruth(const fs::path& file, RunDetail& detail) {
   detail.bodies = std::move(truth.bodies);
 }
 
+class TruthReader {
+ public:
+  TruthReader(const std::vector<CameraFrame>& frames, std::string where)
+      : frames_(frames), where_(std::move(where)) {}
+
+  BodyDetail Body(const TruthOfBody& of) const {
+    BodyDetail body;
+    body.id = of.id;
+    body.name = of.name;
+    body.category = of.category;
+    body.mover = of.mover;
+    body.diagonal_m = of.diagonal_m;
+    body.cluster = of.cluster;
+    AddTruth(of.truth, body);
+    body.estimated = Positions(of.estimated, "estimated", body);
+    body.predicted = Positions(of.predicted, "predicted", body);
+    return body;
+  }
+
+ private:
+  // Returns the number in the folder of the frame with this index.
+  int Frame(int index, const char* list) const {
+    if (index < 0 || index >= static_cast<int>(frames_.size())) {
+      ThrowError(StrCat(where_, ", bodies, ", list, ", frames"), StrCat(index),
+                 StrCat("one of ", frames_.size(), " frames"));
+    }
+    return frames_[static_cast<std::size_t>(index)].frame;
+  }
+  void CheckLike(std::size_t frames, std::size_t values, const char* list,
+                 const char* field) const {
+    if (values == frames) return;
+    ThrowError(StrCat(where_, ", bodies, ", list, ", field ", field), StrCat(values, " values"),
+               StrCat(frames, ", one per frame"));
+  }
+  void AddTruth(const TruthPoses& truth, BodyDetail& body) const {
+    CheckLike(truth.frames.size(), truth.poses.size(), "truth", "poses");
+    CheckLike(truth.frames.size(), truth.visible.size(), "truth", "visible");
+    for (std::size_t i = 0; i < truth.frames.size(); ++i) {
+      const int frame = Frame(truth.frames[i], "truth");
+      body.truth.emplace_back(frame, truth.poses[i]);
+      if (truth.visible[i]) body.visible.push_back(frame);
+    }
+    std::sort(body.truth.begin(), body.truth.end());
+    std::sort(body.visible.begin(), body.visible.end());
+  }
+  std::vector<BodyPosition> Positions(const FramePositions& positions, const char* list,
+                                      const BodyDetail& body) const {
+    CheckLike(positions.frames.size(), positions.positions_m.size(), list, "positions_m");
+    std::vector<BodyPosition> found;
+    for (std::size_t i = 0; i < positions.frames.size(); ++i) {
+      BodyPosition position;
+      position.frame = Frame(positions.frames[i], list);
+      position.position_m = positions.positions_m[i];
+      const auto truth = std::find_if(body.truth.begin(), body.truth.end(), [&](const auto& known) {
+        return known.first == position.frame;
+      });
+      if (truth == body.truth.end()) {
+        ThrowError(StrCat(where_, ", bodies, ", list, ", frames"), StrCat(positions.frames[i]),
+                   "a frame in which it has truth");
+      }
+      position.error_m = std::hypot(position.position_m[0] - truth->second[0],
+                                    position.position_m[1] - truth->second[1],
+                                    position.position_m[2] - truth->second[2]);
+      found.push_back(position);
+    }
+    std::sort(found.begin(), found.end(),
+              [](const auto& a, const auto& b) { return a.frame < b.frame; });
+    return found;
+  }
+
+  const std::vector<CameraFrame>& frames_;
+  std::string where_;
+};
+
+class ClusterTable {
+ public:
+  explicit ClusterTable(const fs::path& file) : csv_(file) {}
+
+  std::size_t rows() const { return csv_.rows(); }
+  ClusterRow Row(std::size_t i) const {
+    ClusterRow row;
+    row.frame = csv_.Integer(i, frame_);
+    row.id = csv_.Id(i, id_);
+    row.category = csv_.Text(i, category_);
+    row.predicted = csv_.Text(i, status_) == "predicted";
+    // Refined values are empty if the run never returned to the frame; then those from when the
+    // frame arrived are used.
+    const bool refined = !csv_.Empty(i, refined_pose_);
+    row.world_from_object = csv_.Numbers<7>(i, refined ? refined_pose_ : pose_);
+    row.velocity_m_s = csv_.Numbers<3>(i, refined ? refined_velocity_ : velocity_);
+    AddBox(i, row);
+    row.observed_landmarks = csv_.Integer(i, observed_);
+    return row;
+  }
+
+ private:
+  // Older tables only have the extent along the axes of the object frame.
+  void AddBox(std::size_t i, ClusterRow& row) const {
+    if (box_) {
+      row.object_from_box = csv_.Numbers<7>(i, *box_);
+      row.size_m = csv_.Numbers<3>(i, *box_ + 7);
+      return;
+    }
+    const std::array<double, 6> extent = csv_.Numbers<6>(i, extent_);
+    row.object_from_box = {extent[0], extent[1], extent[2], 0.0, 0.0, 0.0, 1.0};
+    row.size_m = {2.0 * extent[3], 2.0 * extent[4], 2.0 * extent[5]};
+  }
+
+  CsvFile csv_;
+  // The first column of each group.
+  std::size_t frame_ = csv_.Column("frame");
+  std::size_t id_ = csv_.Column("id");
+  std::size_t category_ = csv_.Column("category");
+  std::size_t status_ = csv_.Column("status");
+  std::size_t pose_ = csv_.Columns({"x", "y", "z", "qx", "qy", "qz", "qw"});
+  std::size_t velocity_ = csv_.Columns({"vx", "vy", "vz"});
+  std::size_t refined_pose_ = csv_.Columns({"refined_x", "refined_y", "refined_z", "refined_qx",
+                                            "refined_qy", "refined_qz", "refined_qw"});
+  std::size_t refined_velocity_ = csv_.Columns({"refined_vx", "refined_vy", "refined_vz"});
+  std::size_t extent_ =
+      csv_.Columns({"center_x", "center_y", "center_z", "half_x_m", "half_y_m", "half_z_m"});
+  std::optional<std::size_t> box_ =
+      csv_.Has("box_x")
+          ? std::optional(csv_.Columns({"box_x", "box_y", "box_z", "box_qx", "box_qy", "box_qz",
+                                        "box_qw", "length_m", "height_m", "width_m"}))
+          : std::nullopt;
+  std::size_t observed_ = csv_.Column("observed_landmarks");
+};
+
 }  // namespace
+
+RunTruth ReadTruthFile(const fs::path& file, const std::vector<CameraFrame>& frames) {
+  const auto data = ReadRecord<TruthData>(file);
+  RunTruth truth;
+  truth.camera = data.camera;
+  if (truth.camera.empty()) truth.camera.resize(frames.size());  // only bodies have truth
+  if (truth.camera.size() != frames.size()) {
+    ThrowError(file.string() + ", field camera", StrCat(truth.camera.size(), " poses"),
+               StrCat(frames.size(), ", one per frame of result.json"));
+  }
+  const TruthReader reader(frames, file.string());
+  for (const TruthOfBody& body : data.bodies) truth.bodies.push_back(reader.Body(body));
+  return truth;
+}
+
+std::vector<ClusterRow> ReadClusterTable(const fs::path& file) {
+  const ClusterTable table(file);
+  std::vector<ClusterRow> rows;
+  for (std::size_t i = 0; i < table.rows(); ++i) rows.push_back(table.Row(i));
+  std::stable_sort(rows.begin(), rows.end(), [](const ClusterRow& a, const ClusterRow& b) {
+    return std::pair(a.frame, a.id) < std::pair(b.frame, b.id);
+  });
+  return rows;
+}
+
+LandmarksByFrame ReadLandmarks(const fs::path& file, LandmarkLabel label) {
+  const CsvFile csv(file);
+  const std::size_t frame = csv.Column("frame");
+  const std::size_t u = csv.Column("u_px");
+  const std::size_t v = csv.Column("v_px");
+  const std::size_t of = csv.Column(label == LandmarkLabel::kCluster ? "cluster" : "inferred");
+  const std::size_t body = csv.Column("truth_body");
+  LandmarksByFrame landmarks;
+  for (std::size_t i = 0; i < csv.rows(); ++i) {
+    LandmarkRow row;
+    row.u_px = static_cast<float>(csv.Number(i, u));
+    row.v_px = static_cast<float>(csv.Number(i, v));
+    if (!csv.Empty(i, of)) row.label = csv.Id(i, of);
+    if (!csv.Empty(i, body)) row.truth_body = csv.Integer(i, body);
+    landmarks[csv.Integer(i, frame)].push_back(row);
+  }
+  return landmarks;
+}
 
 RunDetail ReadRunDetail(const fs::path& run_folder) {
   RunDetail detail;

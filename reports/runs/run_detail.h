@@ -51,6 +51,25 @@ struct ClusterRow {
   int observed_landmarks = 0;
 };
 
+inline constexpr std::int64_t kOutlierLabel = -1;
+inline constexpr std::int64_t kStaticLabel = 0;
+
+// A landmark seen in a frame: a row of landmarks.csv.
+struct LandmarkRow {
+  float u_px = 0.0F;
+  float v_px = 0.0F;
+  std::int64_t label = kOutlierLabel;  // id of a cluster, or one of the constants above
+  std::int32_t truth_body = -1;        // 0: the static scene; -1: unknown
+  bool wrong = false;                  // see MarkWrongLabels
+};
+using LandmarksByFrame = std::map<int, std::vector<LandmarkRow>>;
+
+// Which of the two labels of a landmark is read.
+enum class LandmarkLabel {
+  kCluster,   // its cluster after the frame was processed
+  kInferred,  // inferred by the unary and pairwise terms from this frame alone
+};
+
 struct BodyPosition {
   int frame = 0;  // number in the folder, as everywhere here
   Position position_m{};
@@ -96,5 +115,18 @@ struct RunDetail {
 // Reads result.json, truth.json, objects.csv and timing.json of a run. Throws Error only for
 // result.json; any other missing or damaged file is listed and its data left empty.
 RunDetail ReadRunDetail(const std::filesystem::path& run_folder);
+
+// The content of truth.json, for the frames that result.json lists. Frames in the file are indices
+// into these.
+struct RunTruth {
+  std::vector<std::optional<Pose>> camera;  // one per frame
+  std::vector<BodyDetail> bodies;
+};
+
+// Read single files of a run. Each throws Error naming the file, and the field or line, if the file
+// is damaged.
+RunTruth ReadTruthFile(const std::filesystem::path& file, const std::vector<CameraFrame>& frames);
+std::vector<ClusterRow> ReadClusterTable(const std::filesystem::path& file);
+LandmarksByFrame ReadLandmarks(const std::filesystem::path& file, LandmarkLabel label);
 
 }  // namespace cvo::reports

@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/base/median.h"
 #include "core/files/text/number.h"
 #include "reports/results/suite_runs.h"
 #include "reports/results/timing.h"

@@ -6,11 +6,59 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "reports/statistics/strata.h"
-
 namespace cvo::reports {
+
+// The contribution to a mean, which is the sum divided by the weight. Errors have weight 1;
+// fractions have the weight of what they are a fraction of.
+struct Part {
+  double sum = 0.0;
+  double weight = 1.0;
+};
+
+// One number of one body, or of a whole scene, in one repetition, with its counterpart if two
+// variants are compared.
+struct Sample {
+  std::string family;      // family of scenes; empty: none
+  std::string scene;       // one draw from the family
+  std::string body;        // empty: the scene as a whole
+  std::string repetition;  // seed and everything else that is averaged over
+  Part value;
+  Part reference = {};
+};
+
+// How the figure of a scene is computed from its bodies. The figure of the table is the mean over
+// scenes.
+enum class Within { kMean, kSum };
+
+// A body or a scene after averaging over its repetitions.
+struct Unit {
+  std::array<Part, 2> parts;  // value, reference
+};
+
+// What is resampled: scenes within their families, each with the figure of all its bodies. If all
+// samples are of one scene, its bodies are resampled instead, which says nothing about other
+// scenes.
+struct Strata {
+  std::vector<std::vector<Unit>> units;
+  Within within = Within::kMean;  // how the figure of a stratum is computed from its units
+  std::size_t scenes = 0;
+  std::size_t bodies = 0;
+
+  bool of_scenes() const { return scenes > 1; }
+};
+
+// Groups samples into strata. Families, and scenes within a family, are ordered by name, so the
+// order of the samples does not matter. Empty if there are no samples, or the weights of a scene
+// sum to 0. Throws Error if there are two samples of the same scene, body and repetition.
+std::optional<Strata> GroupSamples(const std::vector<Sample>& samples, Within within);
+
+// The mean over strata, of the value and of the reference. Empty if there are no strata, or the
+// weights of a stratum sum to 0.
+std::optional<std::array<double, 2>> MeanOverStrata(const std::vector<std::vector<Unit>>& strata,
+                                                    Within within);
 
 inline constexpr int kResamples = 5000;
 inline constexpr double kConfidence = 0.95;
@@ -72,5 +120,31 @@ struct PairedEstimate {
 };
 
 std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pairs, Within within);
+
+// Differences of pairs, grouped by stratum.
+using Differences = std::vector<std::vector<double>>;
+
+// Two-sided p-value of the hypothesis "the mean over strata of their mean differences is 0".
+// Student's t, with as many degrees of freedom as there are differences minus strata. The only
+// difference of a stratum is taken as known exactly. Empty if no stratum has two differences.
+std::optional<double> PairedPValue(const Differences& differences);
+
+// The number of differences that are needed to detect a mean difference of `size` > 0 with a power
+// of 80 %, at 5 % two-sided, if each stratum has equally many and their spread stays the same.
+// Empty if no stratum has two differences.
+std::optional<std::size_t> PairsNeeded(const Differences& differences, double size);
+
+// Holm's step-down correction (1979) of p-values that are looked at together. Returns the adjusted
+// p-values in the order of the input: the probability that any true null hypothesis has an adjusted
+// p-value below 5 % is at most 5 %, whatever their dependence.
+std::vector<double> HolmAdjusted(const std::vector<double>& p_values);
+
+// The probability that a variable of Student's t distribution with `degrees` >= 1 degrees of
+// freedom exceeds t >= 0. Computed by the finite series of its distribution function (Abramowitz
+// and Stegun, 26.7.3 and 26.7.4).
+double StudentTail(double t, int degrees);
+
+// The t that such a variable exceeds with probability `tail`, 1e-9 <= tail <= 0.5.
+double StudentQuantile(double tail, int degrees);
 
 }  // namespace cvo::reports

@@ -3,17 +3,32 @@
 #include "reports/tables/cells.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/files/text/number.h"
+#include "reports/results/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
-#include "reports/tables/body_metrics.h"
-#include "reports/tables/columns.h"
-#include "reports/tables/comparisons.h"
 
 namespace cvo::reports {
 namespace {
+
+const FrameErrors& ErrorsOf(const BodyMetric& metric, const BodyRow& body) {
+  return metric.predicted() ? body.predicted : body.errors;
+}
+
+std::optional<Part> FractionOf(const BodyMetric& metric, const BodyRow& body) {
+  const FrameErrors& errors = ErrorsOf(metric, body);
+  const int frames =
+      metric.predicted() ? static_cast<int>(errors.frames.size()) : body.visible_frames;
+  if (frames <= 0) return std::nullopt;
+  const auto within =
+      std::count_if(errors.position_m.begin(), errors.position_m.end(),
+                    [&](double error_m) { return error_m <= metric.entry().limit_m; });
+  return Part{static_cast<double>(within), static_cast<double>(frames)};
+}
 
 // The samples of a cell, and what is missing from them.
 struct Gathered {
@@ -136,6 +151,68 @@ void GatherPair(const SuiteRun& run, const SuiteRun& reference,
 
 }  // namespace
 
+std::optional<BodyMetric> FindBodyMetric(const std::string& metric) {
+  const std::optional<MetricForm> form = FindForm(metric);
+  if (!form || EntryOf(form->id).family != MetricFamily::kBodies) return std::nullopt;
+  return BodyMetric{*form};
+}
+
+const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary& run) {
+  static const std::vector<BodyRow> kNone;
+  if (!run.bodies) return kNone;
+  return metric.form.causal ? run.bodies->causal : run.bodies->refined;
+}
+
+std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {
+  if (body.mover != metric.movers()) return std::nullopt;
+  const MetricEntry& entry = metric.entry();
+  switch (entry.from_body) {
+    case FromBody::kSuccess:
+      return FractionOf(metric, body);
+    case FromBody::kUnmatched:
+      return Part{body.cluster == -1 ? 1.0 : 0.0};
+    case FromBody::kSum:
+      return Part{static_cast<double>(body.*entry.body_count)};
+    case FromBody::kCoverage:
+      if (body.visible_frames <= 0) return std::nullopt;
+      return Part{static_cast<double>(body.estimated_frames),
+                  static_cast<double>(body.visible_frames)};
+    case FromBody::kField: {
+      const std::optional<double>& error =
+          metric.predicted() ? body.predicted_ate_m : body.*entry.body_error;
+      return error ? std::optional(Part{*error}) : std::nullopt;
+    }
+    case FromBody::kMaxDrift:
+      if (!body.max_drift) return std::nullopt;
+      return Part{body.max_drift->Values().at(MaxDriftIndex(entry.id).value())};
+    case FromBody::kNothing:
+      break;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyRow& body,
+                                            const BodyRow& reference) {
+  if (body.mover != metric.movers() || reference.mover != metric.movers()) return std::nullopt;
+  if (metric.by_frames()) {
+    const auto errors = CommonRootMeanSquares(ErrorsOf(metric, body), ErrorsOf(metric, reference));
+    if (!errors) return std::nullopt;
+    return std::pair{Part{errors->first}, Part{errors->second}};
+  }
+  const auto ours = PartOf(metric, body);
+  const auto theirs = PartOf(metric, reference);
+  if (!ours || !theirs) return std::nullopt;
+  return std::pair{*ours, *theirs};
+}
+
+const char* PairingText(const BodyMetric& metric) {
+  if (metric.by_frames()) return "object-frames that both estimate";
+  if (metric.entry().kind == MetricKind::kError)
+    return "bodies that both estimate, each on its frames";
+  return metric.predicted() ? "bodies of both, each on its predicted frames"
+                            : "all visible object-frames";
+}
+
 Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Column& column) {
   Cell cell;
   const std::optional<BodyMetric> body_metric = FindBodyMetric(column.metric);
@@ -185,6 +262,64 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
       Resampled(estimate->scenes, estimate->bodies, OfSeveralFamilies(samples), seeds.size());
   return DifferenceOf(*estimate, rows.reference_label, meaning,
                       body_metric ? PairingText(*body_metric) : "runs of the same scene and seed");
+}
+
+Difference DifferenceOf(const PairedEstimate& estimate, const std::string& reference,
+                        const std::string& meaning, const std::string& pairing) {
+  Difference difference;
+  difference.reference = reference;
+  difference.value = estimate.value;
+  difference.reference_value = estimate.reference;
+  difference.difference = estimate.difference;
+  difference.interval = ToInterval(estimate.interval, meaning);
+  difference.percent = estimate.percent;
+  difference.percent_interval = ToInterval(estimate.percent_interval, meaning);
+  difference.reference_lower = estimate.reference_lower;
+  difference.reference_lower_interval = ToInterval(estimate.reference_lower_interval, meaning);
+  difference.effect = estimate.effect;
+  difference.p_value = estimate.p_value;
+  difference.scenes_for_10_percent = estimate.scenes_for_10_percent;
+  difference.pairs = estimate.pairs;
+  difference.pairing = pairing;
+  return difference;
+}
+
+std::optional<bool> IsBetter(const std::string& metric, double difference) {
+  const MetricEntry* rule = FindEntry(metric);
+  if (!rule) return std::nullopt;
+  return (difference > 0.0) == rule->higher_is_better();
+}
+
+std::string UndecidedText(std::size_t pairs, const std::string& what) {
+  return StrCat("undecided (", Counted(pairs, what), ", ", kMinPairs, " needed)");
+}
+
+std::string VerdictText(const Difference& difference, const std::string& metric,
+                        const std::string& what) {
+  if (difference.difference == 0.0) return "the same";
+  if (!difference.distinguishable) {
+    return difference.pairs < kMinPairs ? UndecidedText(difference.pairs, what) : "not significant";
+  }
+  const auto better = IsBetter(metric, difference.difference);
+  return !better ? "differs" : *better ? "better" : "worse";
+}
+
+void CorrectForMany(const std::vector<Difference*>& differences) {
+  std::vector<Difference*> tested;
+  std::vector<double> p_values;
+  for (Difference* difference : differences) {
+    if (!difference->p_value) continue;
+    tested.push_back(difference);
+    p_values.push_back(*difference->p_value);
+  }
+  const std::vector<double> adjusted = HolmAdjusted(p_values);
+  for (std::size_t i = 0; i < tested.size(); ++i) {
+    Difference& difference = *tested[i];
+    difference.adjusted_p_value = adjusted[i];
+    const auto& interval = difference.interval;
+    difference.distinguishable = interval && (interval->low > 0.0 || interval->high < 0.0) &&
+                                 adjusted[i] < 1.0 - kConfidence && difference.pairs >= kMinPairs;
+  }
 }
 
 }  // namespace cvo::reports

@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/tables/footnotes.h"
-
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "reports/results/contract_text.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
+#include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
 namespace {
@@ -31,39 +29,36 @@ std::string ColumnName(const Table& table, std::size_t index) {
 class NamesByText {
  public:
   void Add(const std::string& text, const std::string& name) {
-    if (text.empty()) return;
-    if (names_.find(text) == names_.end()) order_.push_back(text);
-    AddOnce(name, names_[text]);
+    if (!text.empty()) AddOnce(name, FindOrAdd(names_, &Named::first, {text, {}}).second);
   }
   void Print(const std::string& before, Lines& lines, const char* between = ": ") const {
-    for (const std::string& text : order_) {
-      lines.push_back(StrCat(before, Joined(names_.at(text), ", "), between, text));
+    for (const auto& [text, names] : names_) {
+      lines.push_back(StrCat(before, Joined(names, ", "), between, text));
     }
   }
 
  private:
-  Lines order_;
-  std::map<std::string, Lines> names_;
+  using Named = std::pair<std::string, Lines>;
+  std::vector<Named> names_;
 };
 
 void AddJobs(const Table& table, Lines& lines) {
   const JobCounts& jobs = table.jobs;
   std::string line = StrCat(jobs.done, " of ", jobs.planned, " runs");
-  const auto add = [&line](std::size_t count, const char* what) {
+  for (const auto& [count, what] : {std::pair{jobs.lost, "of them lost"},
+                                    {jobs.failed, "failed"},
+                                    {jobs.not_run, "not run yet"},
+                                    {jobs.no_data, "without their sequence"}}) {
     if (count > 0) line += StrCat(", ", count, " ", what);
-  };
-  add(jobs.lost, "of them lost");
-  add(jobs.failed, "failed");
-  add(jobs.not_run, "not run yet");
-  add(jobs.no_data, "without their sequence");
+  }
   lines.push_back(line);
 }
 
+// A sequence that is missing is listed once, not once per variant and seed.
 void AddProblems(const Table& table, Lines& lines) {
   Lines problems;
   for (const Problem& problem : table.problems) {
     if (problem.state == "not run") continue;
-    // A sequence that is missing is listed once, not once per variant and seed.
     const std::string whose =
         problem.state == "no data"
             ? problem.sequence
@@ -73,11 +68,12 @@ void AddProblems(const Table& table, Lines& lines) {
                problem.log.empty() ? "" : " (log: " + problem.log + ")"),
         problems);
   }
-  for (std::size_t i = 0; i < std::min(problems.size(), kShownProblems); ++i)
-    lines.push_back(problems[i]);
   if (problems.size() > kShownProblems) {
-    lines.push_back(StrCat("and ", problems.size() - kShownProblems, " more: table.json has all"));
+    const std::size_t more = problems.size() - kShownProblems;
+    problems.resize(kShownProblems);
+    problems.push_back(StrCat("and ", more, " more: table.json has all"));
   }
+  lines.insert(lines.end(), problems.begin(), problems.end());
 }
 
 // Explains each split that occurs in the rows.
@@ -96,39 +92,29 @@ void AddSplits(const Table& table, Lines& lines) {
   }
 }
 
-// States how many scenes are needed to detect a small difference in any row: the statistical power
-// of the table.
-void AddPower(const Table& table, Lines& lines) {
-  Lines needs;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    std::size_t most = 0;
-    for (const Row& row : table.rows) {
-      const auto& difference = row.cells[i].difference;
-      if (difference) most = std::max(most, difference->scenes_for_10_percent.value_or(0));
-    }
-    if (most > 0) needs.push_back(StrCat(ColumnName(table, i), " ", most));
+// Calls `visit` with the row, column index and cell of each cell.
+template <typename Visit>
+void ForEachCell(const Table& table, const Visit& visit) {
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) visit(i, row.cells[i]);
   }
-  if (needs.empty()) return;
-  lines.push_back(
-      StrCat("scenes needed to detect a difference of ", 100.0 * kPowerDifference,
-             " % (80 % power, 5 % two-sided, uncorrected), for the row that needs most: ",
-             Joined(needs, ", ")));
 }
 
+// Also states how many scenes are needed to detect a small difference in any row: the statistical
+// power of the table.
 void AddIntervals(const Table& table, Lines& lines) {
   NamesByText meanings;
-  std::size_t differences = 0;
   NamesByText pairings;
-  for (const Row& row : table.rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const Cell& cell = row.cells[i];
-      const std::string label = ColumnName(table, i);
-      if (cell.interval) meanings.Add(cell.interval->meaning, label);
-      if (!cell.difference) continue;
-      differences += cell.difference->adjusted_p_value ? 1 : 0;
-      pairings.Add("compared on " + cell.difference->pairing, label);
-    }
-  }
+  std::size_t differences = 0;
+  std::vector<std::size_t> needed(table.columns.size());
+  ForEachCell(table, [&](std::size_t column, const Cell& cell) {
+    const std::string name = ColumnName(table, column);
+    if (cell.interval) meanings.Add(cell.interval->meaning, name);
+    if (!cell.difference) return;
+    differences += cell.difference->adjusted_p_value ? 1 : 0;
+    pairings.Add("compared on " + cell.difference->pairing, name);
+    needed[column] = std::max(needed[column], cell.difference->scenes_for_10_percent.value_or(0));
+  });
   meanings.Print("low..high, ", lines);
   if (differences > 0) {
     lines.push_back(StrCat(
@@ -138,7 +124,15 @@ void AddIntervals(const Table& table, Lines& lines) {
         kMinPairs, " pairs"));
   }
   pairings.Print("", lines);
-  AddPower(table, lines);
+  Lines needs;
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (needed[i] > 0) needs.push_back(StrCat(ColumnName(table, i), " ", needed[i]));
+  }
+  if (needs.empty()) return;
+  lines.push_back(
+      StrCat("scenes needed to detect a difference of ", 100.0 * kPowerDifference,
+             " % (80 % power, 5 % two-sided, uncorrected), for the row that needs most: ",
+             Joined(needs, ", ")));
 }
 
 // Adds the remarks about cells. Those that are the same for several rows are listed once.
@@ -162,79 +156,56 @@ void AddCells(const Table& table, Lines& lines) {
   rows.Print("", lines, "; ");
 }
 
-// The counts of a column. If they differ between rows, each is followed by the rows it applies to.
-std::string CountsOfColumn(const Table& table, std::size_t column) {
-  Lines texts;
-  std::map<std::string, Lines> rows;
-  for (const Row& row : table.rows) {
-    if (!row.cells[column].present) continue;
-    const std::string text = CountsText(row.cells[column].n);
-    AddOnce(text, texts);
-    rows[text].push_back(RowLabel(row));
-  }
-  if (texts.size() == 1) return texts[0];
-  return Joined(texts, "; ", [&](const std::string& text) {
-    return StrCat(text, " (", Joined(rows[text], ", "), ")");
-  });
-}
-
-void AddCounts(const Table& table, Lines& lines) {
+// Names metrics without coverage in the table, since accuracy alone favours whoever loses the hard
+// parts. Then states the counts of each column; if they differ between rows, each is followed by
+// the rows it applies to.
+void AddCoverageAndCounts(const Table& table, Lines& lines) {
+  NamesByText missing;
   NamesByText counts;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    counts.Add(CountsOfColumn(table, i), ColumnName(table, i));
-  }
-  counts.Print("n, ", lines);
-}
-
-// Names metrics without coverage in the table, since accuracy alone favours whoever loses the hard
-// parts.
-void AddMissingCoverage(const Table& table, Lines& lines) {
-  NamesByText missing;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string coverage = CoverageOf(table.columns[i].metric);
-    const bool there = coverage.empty() ||
-                       std::any_of(table.columns.begin(), table.columns.end(),
-                                   [&](const Column& other) { return other.metric == coverage; });
-    if (!there) {
+    if (!coverage.empty() && FindBy(table.columns, &Column::metric, coverage) == nullptr) {
       missing.Add("coverage is not in this table; what was lost does not count here",
                   ColumnName(table, i));
     }
+    std::vector<std::pair<std::string, Lines>> rows;  // by count
+    for (const Row& row : table.rows) {
+      if (!row.cells[i].present) continue;
+      const std::string text = CountsText(row.cells[i].n);
+      FindOrAdd(rows, &std::pair<std::string, Lines>::first, {text, {}})
+          .second.push_back(RowLabel(row));
+    }
+    counts.Add(Joined(rows, "; ",
+                      [&](const auto& of_count) {
+                        const auto& [text, labels] = of_count;
+                        return rows.size() == 1 ? text
+                                                : StrCat(text, " (", Joined(labels, ", "), ")");
+                      }),
+               ColumnName(table, i));
   }
   missing.Print("", lines);
+  counts.Print("n, ", lines);
 }
 
-// The distinct reasons why figures of a source are not comparable, and what was inferred about
-// them.
-Lines Reasons(const Table& table, std::size_t source) {
-  Lines reasons;
-  for (const Row& row : table.rows) {
-    for (const ReferenceRow& line : row.reference) {
-      if (line.source != source) continue;
+// The sources of reference rows, each with the distinct reasons why its figures are not comparable,
+// and what was inferred about them.
+void AddReferences(const Table& table, Lines& lines) {
+  bool any_differs = false;
+  std::vector<Lines> reasons(table.sources.size());
+  const auto gather = [&](const std::vector<ReferenceRow>& rows, bool explain) {
+    for (const ReferenceRow& line : rows) {
       for (std::size_t i = 0; i < line.cells.size(); ++i) {
         const auto& cell = line.cells[i];
-        if (!cell || cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
-        AddOnce(ColumnName(table, i) + " " + cell->reason, reasons);
+        if (!cell) continue;
+        any_differs = any_differs || cell->match != Match::kMatches;
+        if (!explain || cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
+        AddOnce(ColumnName(table, i) + " " + cell->reason, reasons[line.source]);
       }
     }
-  }
-  return reasons;
-}
-
-bool AnyDoesNotCompare(const Table& table) {
-  const auto in = [](const std::vector<ReferenceRow>& others) {
-    for (const ReferenceRow& line : others) {
-      for (const auto& cell : line.cells) {
-        if (cell && cell->match != Match::kMatches) return true;
-      }
-    }
-    return false;
   };
-  return in(table.others) || std::any_of(table.rows.begin(), table.rows.end(),
-                                         [&](const Row& row) { return in(row.reference); });
-}
-
-void AddReferences(const Table& table, Lines& lines) {
-  if (AnyDoesNotCompare(table)) {
+  for (const Row& row : table.rows) gather(row.reference, true);
+  gather(table.others, false);
+  if (any_differs) {
     lines.emplace_back(
         "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
         "differs or that the source does not define");
@@ -242,15 +213,8 @@ void AddReferences(const Table& table, Lines& lines) {
   for (std::size_t i = 0; i < table.sources.size(); ++i) {
     std::string note = SourceMark(i) + " " + table.sources[i].source;
     if (!table.sources[i].caveat.empty()) note += "; " + table.sources[i].caveat;
-    for (const std::string& reason : Reasons(table, i)) note += "; " + reason;
+    for (const std::string& reason : reasons[i]) note += "; " + reason;
     lines.push_back(note);
-  }
-}
-
-void AddOptions(const Table& table, Lines& lines) {
-  for (const ChangedOption& option : table.provenance.options) {
-    lines.push_back(StrCat("option ", option.path, ": ", Joined(option.values, ", "), " (default ",
-                           option.default_value.empty() ? "none" : option.default_value, ")"));
   }
 }
 
@@ -269,22 +233,18 @@ std::string CountsText(const Counts& n) {
   return Joined(counts, ", ");
 }
 
-std::string UnitsText(const Counts& n) {
-  if (n.scenes > 1) return Counted(n.scenes, "scene");
-  if (n.bodies > 0) return Counted(n.bodies, "body", "bodies");
-  return Counted(n.runs, "run");
-}
-
 std::vector<std::string> Footnotes(const Table& table) {
   Lines lines;
   AddJobs(table, lines);
   AddProblems(table, lines);
   AddSplits(table, lines);
-  for (const std::string& note : table.notes) lines.push_back(note);
-  AddOptions(table, lines);
+  lines.insert(lines.end(), table.notes.begin(), table.notes.end());
+  for (const ChangedOption& option : table.provenance.options) {
+    lines.push_back(StrCat("option ", option.path, ": ", Joined(option.values, ", "), " (default ",
+                           option.default_value.empty() ? "none" : option.default_value, ")"));
+  }
   AddCells(table, lines);
-  AddMissingCoverage(table, lines);
-  AddCounts(table, lines);
+  AddCoverageAndCounts(table, lines);
   AddIntervals(table, lines);
   AddReferences(table, lines);
   return lines;
@@ -293,13 +253,13 @@ std::vector<std::string> Footnotes(const Table& table) {
 std::vector<std::string> Definitions(const Table& table) {
   Lines lines;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const Column& column = table.columns[i];
-    std::string note = ColumnName(table, i) + ":";
-    for (const auto& [field, text] : ContractTexts(column.contract)) {
-      const bool named = field == "poses" || field == "delta" || field == "alignment";
-      note += StrCat(note.back() == ':' ? " " : "; ", named ? field + " " : "", text);
-    }
-    if (note.back() != ':') lines.push_back(note);
+    const std::string definition =
+        Joined(ContractTexts(table.columns[i].contract), "; ", [](const auto& part) {
+          const auto& [field, text] = part;
+          const bool named = field == "poses" || field == "delta" || field == "alignment";
+          return named ? field + " " + text : text;
+        });
+    if (!definition.empty()) lines.push_back(StrCat(ColumnName(table, i), ": ", definition));
   }
   return lines;
 }

@@ -3,51 +3,208 @@
 #include "reports/tables/make_table.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/files/json/json.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "reports/tables/cells.h"
-#include "reports/tables/columns.h"
-#include "reports/tables/comparisons.h"
-#include "reports/tables/reference_rows.h"
-#include "reports/tables/table_parts.h"
-#include "reports/tables/what_differs.h"
 
 namespace cvo::reports {
 namespace {
 
-std::vector<std::string> MetricsOf(const SuitePlan& plan) {
-  if (!plan.metrics.empty()) return WithCoverage(plan.metrics);
-  std::vector<std::string> metrics = CameraMetrics();
-  for (const std::string& metric : ObjectMetrics()) metrics.push_back(metric);
-  return metrics;
+std::string Link(const std::filesystem::path& file, const std::filesystem::path& folder) {
+  return std::filesystem::absolute(file)
+      .lexically_proximate(std::filesystem::absolute(folder))
+      .generic_string();
 }
 
-// Returns the row that a row is compared with, or nullptr if there is none.
-using ReferenceOf = std::function<const RowRuns*(const RowRuns& row)>;
-
-void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& folder,
-             const ReferenceOf& reference_of, Table& table) {
-  for (const RowRuns& runs : rows) {
-    Row row = DescribeRow(runs, folder);
-    const RowRuns* reference = reference_of(runs);
-    for (const Column& column : table.columns) {
-      Cell cell = MakeCell(runs, table.keys, column);
-      cell.not_comparable = DifferingMeaning(runs, column);
-      if (reference != nullptr && cell.present && AreComparable(runs, *reference, column)) {
-        cell.difference = MakeDifference({table.keys, runs, *reference, table.reference}, column);
-      }
-      row.cells.push_back(std::move(cell));
-    }
-    table.rows.push_back(std::move(row));
+// The contract of the truth of a run. Empty if none of its metrics uses a truth (such as coverage
+// of a run without truth).
+Contract TruthOfRun(const RunSummary& run) {
+  for (const MetricValue& metric : run.metrics) {
+    if (metric.contract.truth) return WithTruthOf(Contract(), metric.contract);
   }
-  CorrectForMany(table);
+  return {};
 }
 
-// Fills in everything but the rows and the reference.
+// The split of the scenes of a row. Throws Error if a row averages over scenes on which options
+// were chosen and scenes on which results are reported.
+std::string SplitOf(const RowRuns& row) {
+  std::set<std::string> splits;
+  for (const SuiteRun* run : row.runs) splits.insert(run->planned.split);
+  std::vector<std::string> named(splits.begin(), splits.end());
+  std::erase(named, "given");
+  if (named.size() > 1) {
+    ThrowError("row " + Joined(row.keys, " "),
+               StrCat("scenes of the ", named[0], " split and of the ", named[1], " split"),
+               "scenes of one split in a row");
+  }
+  return splits.size() == 1 ? *splits.begin() : named[0] + ", given";
+}
+
+JobCounts CountJobs(const std::vector<const SuiteRun*>& runs) {
+  JobCounts counts;
+  counts.planned = runs.size();
+  for (const SuiteRun* run : runs) {
+    counts.done += run->run ? 1 : 0;
+    counts.lost += run->state == "lost" ? 1 : 0;
+    counts.failed += run->state == "failed" ? 1 : 0;
+    counts.not_run += run->state == "not run" ? 1 : 0;
+    counts.no_data += run->state == "no data" ? 1 : 0;
+  }
+  return counts;
+}
+
+// Describes a row without its cells. Links are relative to `folder`. The sequence has its name in
+// the suite, since the name of the folder of a synthetic scene includes its seed.
+Row DescribeRow(const RowRuns& row, const std::filesystem::path& folder) {
+  Row described;
+  described.keys = row.keys;
+  described.split = SplitOf(row);
+  described.jobs = CountJobs(row.runs);
+  std::set<std::string> scenes;
+  std::set<double> shifts_px;
+  for (const SuiteRun* run : row.runs) {
+    if (!run->run) continue;
+    const std::string name = KeyOf(run->planned, "sequence");
+    shifts_px.insert(run->run->sequence.camera.right_shift_px);
+    described.runs.push_back({name, run->planned.seed, Link(run->run->file, folder)});
+    if (scenes.empty()) {
+      described.sequence = run->run->sequence;
+      described.sequence->name = name;
+      described.truth = TruthOfRun(*run->run);
+    }
+    scenes.insert(SceneOf(*run));
+  }
+  if (scenes.size() != 1) {
+    described.sequence.reset();
+    described.truth = Contract();
+  }
+  shifts_px.erase(0.0);
+  described.corrections =
+      Joined(shifts_px, ", ", [](double shift_px) { return StrCat(shift_px, " px"); });
+  return described;
+}
+
+// The jobs that did not end well, grouped by state and, within a state, in the order of the rows.
+std::vector<Problem> ListProblems(const std::vector<RowRuns>& rows) {
+  std::vector<Problem> problems;
+  for (const char* state : {"failed", "lost", "not run", "no data"}) {
+    for (const RowRuns& row : rows) {
+      for (const SuiteRun* run : row.runs) {
+        if (run->state != state) continue;
+        problems.push_back({Joined(row.keys, " "), KeyOf(run->planned, "sequence"),
+                            run->planned.seed, state, run->message, run->log});
+      }
+    }
+  }
+  return problems;
+}
+
+// The builds, seeds and options of the runs. `default_options`: nested JSON, empty if unknown.
+Provenance DescribeRuns(const std::vector<SuiteRun>& runs, const std::string& default_options) {
+  Provenance provenance;
+  std::map<std::string, std::string> defaults;
+  if (!default_options.empty()) defaults = FlatJson(ParseJson(default_options, "default options"));
+  std::set<std::string> seen;
+  std::map<std::string, ChangedOption> changed;
+  for (const SuiteRun& run : runs) {
+    if (!run.run) continue;
+    AddOnce(run.run->build.identity, provenance.builds);
+    AddOnce(run.planned.seed, provenance.seeds);
+    if (defaults.empty() || !seen.insert(run.run->options.dump()).second) continue;
+    for (const auto& [path, value] : FlatJson(run.run->options)) {
+      const auto found = defaults.find(path);
+      const std::string at_default = found == defaults.end() ? "" : found->second;
+      if (value == at_default) continue;
+      ChangedOption& option =
+          changed.try_emplace(path, ChangedOption{path, at_default, {}}).first->second;
+      AddOnce(value, option.values);
+    }
+  }
+  for (const auto& [path, option] : changed) provenance.options.push_back(option);
+  return provenance;
+}
+
+// What self-calibration found on sequences without a true calibration, if rows tell them apart.
+void AddCalibrations(const std::vector<SuiteRun>& runs, std::vector<std::string>& notes) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> found;  // by sequence
+  for (const SuiteRun& run : runs) {
+    if (!run.run || !run.run->calibration || FindMetric(*run.run, "calibration_error") != nullptr) {
+      continue;
+    }
+    auto& [sequence, texts] =
+        FindOrAdd(found, &decltype(found)::value_type::first, {KeyOf(run.planned, "sequence"), {}});
+    AddOnce(
+        StrCat(KeyOf(run.planned, "variant"), " ", RoundedTo(run.run->calibration->Mean_px(), 2),
+               " +- ", RoundedTo(run.run->calibration->MeanSigma_px(), 2)),
+        texts);
+  }
+  for (const auto& [sequence, texts] : found) {
+    notes.push_back(StrCat(
+        sequence, ": calibration error found, mean over the image, px: ", Joined(texts, ", ")));
+  }
+}
+
+// Whether all rows are based on the same scenes and repetitions.
+bool HaveSameRuns(const std::vector<RowRuns>& rows, const std::vector<std::string>& keys) {
+  std::set<std::set<std::string>> runs;
+  for (const RowRuns& row : rows) {
+    std::set<std::string> names;
+    for (const SuiteRun* run : row.runs) {
+      if (run->run) names.insert(StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys)));
+    }
+    runs.insert(std::move(names));
+  }
+  return runs.size() <= 1;
+}
+
+// What a reader must know to compare rows: corrected calibrations, perturbed images, what rows
+// average over, several builds or processor levels.
+std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Table& table) {
+  std::vector<std::string> notes;
+  const bool by_sequence =
+      std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
+  // If rows vary the perturbation, they say themselves what was done.
+  const bool by_perturbation =
+      std::any_of(table.keys.begin(), table.keys.end(),
+                  [](const std::string& key) { return key.starts_with("perturb."); });
+  for (const SuiteRun& run : runs) {
+    if (!run.run || run.run->sequence.camera.right_shift_px == 0.0) continue;
+    AddOnce(StrCat(KeyOf(run.planned, "sequence"), ", ", KeyOf(run.planned, "variant"),
+                   ": calibration corrected, u_right by ", run.run->sequence.camera.right_shift_px,
+                   " px; not comparable with rows on the published calibration"),
+            notes);
+  }
+  if (by_sequence) AddCalibrations(runs, notes);
+  for (const SuiteRun& run : runs) {
+    if (!run.run || !run.run->sequence.perturbation || by_perturbation) continue;
+    AddOnce(StrCat(KeyOf(run.planned, "sequence"),
+                   ": images or calibration perturbed: ", run.run->sequence.perturbation->dump()),
+            notes);
+  }
+  for (const std::string& pooled : PooledKeys(runs, table.keys)) {
+    notes.push_back("rows are means over " + pooled);
+  }
+  if (!by_sequence && !HaveSameRuns(GroupRuns(runs, table.keys), table.keys)) {
+    notes.emplace_back(
+        "rows are based on different runs: compare them by their paired differences only");
+  }
+  const std::size_t builds = table.provenance.builds.size();
+  const std::set<std::string> levels = CpuLevels(runs);
+  if (levels.size() > 1) AddOnce(CpuLevelNote(levels), notes);
+  if (builds > std::max<std::size_t>(levels.size(), 1)) {
+    notes.push_back(StrCat("results come from ", builds,
+                           " builds of the program: run the suite again to have one"));
+  }
+  return notes;
+}
+
+}  // namespace
+
 Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
                     const std::vector<std::string>& metrics, const std::string& default_options) {
   Table table;
@@ -64,53 +221,49 @@ Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
   return table;
 }
 
-// Notes about runs of the same scene and seed that used different images in the two folders.
-std::vector<std::string> OtherImages(const std::vector<SuiteRun>& before,
-                                     const std::vector<SuiteRun>& after) {
-  std::map<std::string, const SuiteRun*> first;
-  for (const SuiteRun& run : before) {
-    if (run.run) first.try_emplace(StrCat(SceneOf(run), " ", run.planned.seed), &run);
+void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& folder,
+             const ReferenceOf& reference_of, Table& table) {
+  std::vector<Difference*> differences;
+  for (const RowRuns& runs : rows) {
+    Row row = DescribeRow(runs, folder);
+    const RowRuns* reference = reference_of(runs);
+    for (const Column& column : table.columns) {
+      Cell cell = MakeCell(runs, table.keys, column);
+      cell.not_comparable = DifferingMeaning(runs, column);
+      if (reference != nullptr && cell.present && AreComparable(runs, *reference, column)) {
+        cell.difference = MakeDifference({table.keys, runs, *reference, table.reference}, column);
+      }
+      row.cells.push_back(std::move(cell));
+    }
+    table.rows.push_back(std::move(row));
   }
-  std::vector<std::string> notes;
-  for (const SuiteRun& run : after) {
-    if (!run.run) continue;
-    const auto other = first.find(StrCat(SceneOf(run), " ", run.planned.seed));
-    if (other == first.end()) continue;
-    if (other->second->run->sequence.content == run.run->sequence.content) continue;
-    AddOnce(StrCat(SceneOf(run), ", seed ", run.planned.seed,
-                   ": the two folders ran it on different images"),
-            notes);
+  for (Row& row : table.rows) {
+    for (Cell& cell : row.cells) {
+      if (cell.difference) differences.push_back(&*cell.difference);
+    }
   }
-  return notes;
+  CorrectForMany(differences);
 }
 
-void CheckSameRows(const SuitePlan& before, const SuitePlan& after) {
-  if (before.rows == after.rows) return;
-  ThrowError(StrCat(before.file.string(), " and ", after.file.string()),
-             StrCat("rows by ", Joined(before.rows, ", "), " and by ", Joined(after.rows, ", ")),
-             "the same rows");
+std::vector<std::string> MetricsOf(const SuitePlan& plan) {
+  if (!plan.metrics.empty()) return WithCoverage(plan.metrics);
+  std::vector<std::string> metrics = CameraMetrics();
+  for (const std::string& metric : ObjectMetrics()) metrics.push_back(metric);
+  return metrics;
 }
 
-// Adds notes about rows that only one side has or that have no run in common.
-void NoteUnpaired(const std::vector<RowRuns>& before, const std::vector<RowRuns>& after,
-                  Table& table) {
-  for (const RowRuns& row : before) {
-    if (FindBy(after, &RowRuns::keys, row.keys) != nullptr) continue;
-    Row label;
-    label.keys = row.keys;
-    table.notes.push_back(RowLabel(label) + ": no such row in the second folder");
+std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs) {
+  std::set<std::string> levels;
+  for (const SuiteRun& run : runs) {
+    if (run.run && !run.run->build.cpu_level.empty()) levels.insert(run.run->build.cpu_level);
   }
-  bool any = false;
-  for (const Row& row : table.rows) {
-    const bool paired = std::any_of(row.cells.begin(), row.cells.end(),
-                                    [](const Cell& cell) { return cell.difference.has_value(); });
-    if (!paired) table.notes.push_back(RowLabel(row) + ": no run in common with the first folder");
-    any = any || paired;
-  }
-  if (!any) ThrowError("compare", "no row with a run that both have", "the same scenes and seeds");
+  return levels;
 }
 
-}  // namespace
+std::string CpuLevelNote(const std::set<std::string>& levels) {
+  return StrCat("results come from processors of different levels (", Joined(levels, ", "),
+                "): differences at the level of rounding mean nothing");
+}
 
 Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
                 const std::string& default_options, const std::string& compared_with) {
@@ -131,32 +284,6 @@ Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
   }
   AddRows(rows, folder, reference_of, table);
   AddReferenceRows(reference, table);
-  return table;
-}
-
-Table CompareFolders(const std::filesystem::path& before, const std::filesystem::path& folder) {
-  const SuitePlan plan = ReadPlan(folder / "plan.json");
-  const SuitePlan plan_before = ReadPlan(before / "plan.json");
-  CheckSameRows(plan_before, plan);
-  const std::vector<std::string> metrics = MetricsOf(plan);
-  const std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);
-  const std::vector<SuiteRun> runs_before = ReadRuns(before, plan_before, metrics);
-  std::vector<SuiteRun> both = runs_before;
-  both.insert(both.end(), runs.begin(), runs.end());
-  MakeColumns(metrics, both);  // throws if contracts differ, naming a file of each
-  const std::vector<RowRuns> rows = GroupRuns(runs, plan.rows);
-  const std::vector<RowRuns> rows_before = GroupRuns(runs_before, plan.rows);
-  Table table = DescribeTable(plan, runs, metrics, "");
-  table.title = StrCat(folder.string(), " against ", before.string());
-  table.reference = before.string();
-  table.about = WhatDiffers(runs_before, runs);
-  table.change = true;
-  AddRows(
-      rows, folder,
-      [&](const RowRuns& row) { return FindBy(rows_before, &RowRuns::keys, row.keys); }, table);
-  for (const std::string& note : OtherImages(runs_before, runs)) table.notes.push_back(note);
-  if (CpuLevels(runs) != CpuLevels(both)) table.notes.push_back(CpuLevelNote(CpuLevels(both)));
-  NoteUnpaired(rows_before, rows, table);
   return table;
 }
 

@@ -3,12 +3,48 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "reports/tables/reference.h"
-#include "reports/tables/table.h"
+#include "reports/tables/cells.h"
 
 namespace cvo::reports {
+
+// One number that another system reached on some frames of a sequence, or on other scenes, for
+// which one of our suites is a substitute.
+struct ReferenceFigure {
+  std::size_t source = 0;  // index in Reference::sources
+  std::string sequence;
+  std::string body;   // empty: the camera, or all bodies; tables omit single bodies
+  std::string suite;  // prefix of its name; sequence and frames are then unset
+  int first_frame = 0;
+  int frames = 0;
+  std::string system;
+  std::string metric;
+  double value = 0.0;
+  MetricUnit unit = MetricUnit::kOne;
+  Contract contract;                  // empty fields: the source does not state them
+  std::vector<std::string> inferred;  // fields inferred from its figures, not stated in its text
+};
+
+struct Reference {
+  std::vector<ReferenceSource> sources;
+  std::vector<ReferenceFigure> figures;
+};
+
+// Adds the contents of a file of reference figures. Throws Error naming `where` and the field.
+void AddReference(std::string_view json, const std::string& where, Reference& reference);
+
+// All figures that ship with the program.
+Reference ShippedReference();
+
+// Adds what other systems reach on the sequences of the table, below our rows: first the rows with
+// a comparable figure, then the rest, with the reason in each cell that is not comparable. Figures
+// for a whole suite come below all rows.
+void AddReferenceRows(const Reference& reference, Table& table);
 
 // Makes the table of the output folder of a suite, however much of the suite has run. Rows are
 // based on the runs that exist and state how many these are; the other runs are listed. Throws
@@ -24,8 +60,32 @@ Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
 // MakeTable does, and if the two have no run in common.
 Table CompareFolders(const std::filesystem::path& before, const std::filesystem::path& folder);
 
+// One line per cell whose paired difference is not 0: its size, its interval, and whether it is
+// distinguishable from noise. Distinguishable ones come first. "nothing changed" if there is none.
+std::string MovedText(const Table& table);
+
 // Whether no job failed or has yet to run, and at least one was completed. Jobs whose sequence is
 // not on this machine do not count.
 bool IsComplete(const Table& table);
+
+// What is common to the tables of one folder and of two.
+
+std::vector<std::string> MetricsOf(const SuitePlan& plan);
+
+// Everything but the rows and the reference. `default_options`: as for MakeTable.
+Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
+                    const std::vector<std::string>& metrics, const std::string& default_options);
+
+// The row that a row is compared with, or nullptr if there is none.
+using ReferenceOf = std::function<const RowRuns*(const RowRuns& row)>;
+
+// Adds rows with links relative to `folder`, and corrects their differences for their number.
+void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& folder,
+             const ReferenceOf& reference_of, Table& table);
+
+// The levels of the processors on which the runs were made, and a note for the reader if there are
+// several.
+std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs);
+std::string CpuLevelNote(const std::set<std::string>& levels);
 
 }  // namespace cvo::reports

@@ -6,14 +6,30 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reports/results/run_summary.h"
-#include "reports/tables/reference.h"
 
 namespace cvo::reports {
 
 struct Table;
+
+struct ReferenceSource {
+  std::string id;
+  std::string source;  // citation for readers
+  std::string kind;    // "published" or "measured"
+  std::string caveat;
+  std::string pair;  // images that were used; empty: unknown
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("id", self.id);
+    archive.Field("source", self.source);
+    archive.Field("kind", self.kind);
+    archive.Field("caveat", self.caveat);
+  }
+};
 
 struct Column {
   std::string metric;
@@ -264,5 +280,14 @@ struct Table {
 
 // The values of the keys of a row, such as "indoor_1 full".
 std::string RowLabel(const Row& row);
+
+// The text of table.json. The same results give the same bytes. Throws Error naming the value if
+// one is not finite.
+std::string TableJson(const Table& table);
+
+// Reads a table.json; TableJson returns the same bytes for it. The pair of a source, which is not
+// in the file, is left at its default. Throws Error naming `where` and the field if the text is
+// truncated, of another schema version, or no table.
+Table ReadTable(std::string_view json, const std::string& where);
 
 }  // namespace cvo::reports

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "synth/models/mesh_builder.h"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
-#include "synth/models/cube_map.h"
+#include "synth/models/build.h"
 
 namespace cvo::synth {
 namespace {
@@ -25,6 +23,15 @@ std::uint32_t AddVertex(Mesh& mesh, const Pen& pen, const Vector3d& point, const
 
 Vector2d InMetres(const Pen& pen, const Vector2d& uv_m) {
   return uv_m.cwiseQuotient(pen.texture_size_m) + pen.uv_offset;
+}
+
+// Returns the uv of a point projected along the largest component of its normal.
+Vector2d BoxMapping(const Vector3d& point, const Vector3d& normal) {
+  int axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  if (axis == 0) return {point.y(), -point.z()};
+  if (axis == 1) return {point.x(), -point.z()};
+  return {point.x(), -point.y()};
 }
 
 void AddGridIndices(Mesh& mesh, std::uint32_t first, int rows, int columns) {
@@ -224,14 +231,6 @@ void AddBlob(Mesh& mesh, const Pen& pen, const Vector3d& radii_m, double roughne
       }
     }
   }
-}
-
-Vector2d BoxMapping(const Vector3d& point, const Vector3d& normal) {
-  int axis = 0;
-  normal.cwiseAbs().maxCoeff(&axis);
-  if (axis == 0) return {point.y(), -point.z()};
-  if (axis == 1) return {point.x(), -point.z()};
-  return {point.x(), -point.y()};
 }
 
 void FitTo(Model& model, const Vector3d& size_m) {

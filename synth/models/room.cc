@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "synth/models/builders.h"
-#include "synth/models/make_model.h"
-#include "synth/models/surroundings.h"
+#include "synth/models/build.h"
+#include "synth/models/model.h"
 
 namespace cvo::synth {
 namespace {
@@ -200,7 +199,7 @@ bool TryPlace(RoomState& state, const Piece& piece, std::size_t index, double at
   return true;
 }
 
-bool Place(RoomState& state, const Piece& piece, Rng& look) {
+bool PlaceSomewhere(RoomState& state, const Piece& piece, Rng& look) {
   for (int attempt = 0; attempt < 200; ++attempt) {
     const std::size_t index = look.UniformInt(4);
     const double room = state.walls[index].length_m - piece.size_m.y() - 0.06;
@@ -216,28 +215,29 @@ bool Place(RoomState& state, const Piece& piece, Rng& look) {
   return false;
 }
 
+// How deep, wide and high the pieces of a kind are.
+struct Assortment {
+  const char* kind;
+  int count;
+  Vector3d least_m;
+  Vector3d most_m;
+};
+
 // Returns false if a piece does not fit.
 bool AddFurniture(RoomState& state, Rng& look) {
   const RoomDescription& room = state.room;
   const double depth = room.furniture_depth_m - 0.03;
   const double tallest = room.size_m.z() - 0.25;
-  for (int i = 0; i < room.shelves; ++i) {
-    const double x = std::min(depth, look.Uniform(0.28, 0.36));
-    const double y = look.Uniform(0.8, 1.15);
-    if (!Place(state, {"shelf", {x, y, std::min(tallest, look.Uniform(1.4, 2.1))}}, look))
-      return false;
-  }
-  for (int i = 0; i < room.tables; ++i) {
-    const double x = std::min(depth, look.Uniform(0.45, 0.6));
-    const double y = look.Uniform(0.9, 1.25);
-    if (!Place(state, {"table", {x, y, std::min(tallest, look.Uniform(0.85, 0.98))}}, look))
-      return false;
-  }
-  for (int i = 0; i < room.crates; ++i) {
-    const double x = std::min(depth, look.Uniform(0.32, 0.46));
-    const double y = look.Uniform(0.35, 0.6);
-    if (!Place(state, {"crate", {x, y, std::min(tallest, look.Uniform(0.3, 0.5))}}, look))
-      return false;
+  for (const Assortment& kind :
+       {Assortment{"shelf", room.shelves, {0.28, 0.8, 1.4}, {0.36, 1.15, 2.1}},
+        Assortment{"table", room.tables, {0.45, 0.9, 0.85}, {0.6, 1.25, 0.98}},
+        Assortment{"crate", room.crates, {0.32, 0.35, 0.3}, {0.46, 0.6, 0.5}}}) {
+    for (int i = 0; i < kind.count; ++i) {
+      Vector3d size_m;
+      for (int k = 0; k < 3; ++k) size_m[k] = look.Uniform(kind.least_m[k], kind.most_m[k]);
+      size_m = size_m.cwiseMin(Vector3d(depth, size_m.y(), tallest));
+      if (!PlaceSomewhere(state, {kind.kind, size_m}, look)) return false;
+    }
   }
   return true;
 }
@@ -268,24 +268,13 @@ void AddPosters(RoomState& state, Rng& look) {
   }
 }
 
-void CheckRoom(const RoomDescription& room) {
-  const Vector3d& size = room.size_m;
-  if (!(size.allFinite() && size.head<2>().minCoeff() >= 2.0 && size.z() >= 1.8)) {
-    ThrowError("room.size_m", StrCat(size.x(), " ", size.y(), " ", size.z()),
-               "at least 2 m by 2 m and 1.8 m high");
-  }
-  if (std::min({room.shelves, room.tables, room.crates, room.posters}) < 0) {
-    ThrowError("room", "a negative number of things", "zero or more");
-  }
-  if (!(room.furniture_depth_m >= 0.3)) {
-    ThrowError("room.furniture_depth_m", StrCat(room.furniture_depth_m), "at least 0.3");
-  }
-}
-
 }  // namespace
 
 Surroundings MakeRoom(const RoomDescription& room, Rng& look) {
-  CheckRoom(room);
+  if (room.size_m.head<2>().minCoeff() < 2.0 || room.size_m.z() < 1.8) {
+    ThrowError("room.size_m", StrCat(room.size_m.transpose()),
+               "at least 2 m by 2 m and 1.8 m high");
+  }
   Rng own(look.NextU64(), "room");
   // Doors and windows may leave too little wall for the furniture. If so, try again.
   const double least_m = 0.8 * room.shelves + 0.9 * room.tables + 0.35 * room.crates;

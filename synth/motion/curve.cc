@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "synth/motion/curve.h"
-
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "synth/motion/motion.h"
 
 namespace cvo::synth {
 namespace {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string>
@@ -30,6 +31,12 @@ struct Rendering {
 struct RendererVersion {
   std::string gl;        // "4.5 (Core Profile) Mesa 22.3.6"
   std::string renderer;  // "llvmpipe (LLVM 15.0.6, 256 bits)"
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("gl", self.gl);
+    archive.Field("renderer", self.renderer);
+  }
 };
 
 // Renders a world with OpenGL in software (OSMesa). The output has the same bytes for any number of
@@ -60,5 +67,50 @@ RendererVersion FindRendererVersion();
 // (BGR).
 cv::Mat LumaOf(const cv::Mat& image);
 cv::Mat ColourOf(const cv::Mat& image);
+
+// Corrects the depth of triangles seen edge-on. Such a triangle may cover the centre of a pixel
+// only because the rasteriser rounds vertices to 1/256 px. Its depth there is extrapolated, with
+// errors of up to some decimetres. On a body, these pixels give points outside the body's box. They
+// take the depth of the neighbour on the same body that is closest in depth to the centre of the
+// box. Bodies without a size are left unchanged.
+void CorrectEdgeDepth(const StereoCamera& rig, const std::vector<Body>& bodies, const View& view,
+                      Rendering& rendering);
+
+// Clip coordinates (x, y, z, w) for a framebuffer whose row 0 is the top row of the image. As pixel
+// centres are at integer (u, v), the window coordinates of a pixel are (u + 0.5, v + 0.5). Depth is
+// kNear_m / z: 1 at the near plane and 0 at infinity, which keeps float depth precise far away.
+inline constexpr double kNear_m = 0.05;
+Eigen::Matrix4d ClipFromLeft(const StereoCamera& rig);
+// For the right camera with its calibration error, from the left camera's frame.
+Eigen::Matrix4d ClipFromRight(const StereoCamera& rig, const RigError& error);
+
+// Orthographic projection along the light, centred on the camera. Depth increases towards the
+// light. It moves in whole texels of a map with side `side_px`, so that shadow edges stay still
+// when the camera moves.
+Eigen::Matrix4d ShadowClipFromWorld(const Light& light, const Eigen::Vector3d& camera_in_world,
+                                    int side_px);
+
+struct Sphere {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0.0;
+};
+
+// Returns a sphere that contains all vertices, centred on their bounding box.
+Sphere BoundingSphere(const Mesh& mesh);
+
+// Returns false only if the sphere, given in the body's frame, is entirely outside the clip volume.
+bool MayBeVisible(const Eigen::Matrix4d& clip_from_body, const Sphere& sphere);
+
+// Half the side of the cv::cornerSubPix window, px: a window contains only one corner.
+inline constexpr int kCornerWindow_px = 7;
+
+// A checkerboard whose corners measure how exactly the renders follow the projection of a rig.
+struct CalibrationTarget {
+  World world;                             // its frame is the board's; the board is at z = 0
+  std::vector<Eigen::Vector3d> corners_m;  // inner corners, in the board's frame
+  std::vector<View> views;                 // board tilted and rotated, all corners in both images
+};
+
+CalibrationTarget MakeCalibrationTarget(const StereoCamera& rig);
 
 }  // namespace cvo::synth

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "synth/render/shaders.h"
+#include "synth/render/gl.h"
 
 namespace cvo::synth {
 

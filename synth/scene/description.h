@@ -2,15 +2,52 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/files/json/json.h"
-#include "synth/scene/scene_parts.h"
+#include "core/geometry/stereo_camera.h"
+#include "synth/models/model.h"
+#include "synth/motion/motion.h"
+#include "synth/scene/object_reader.h"
 #include "synth/scene/world.h"
 
 namespace cvo::synth {
+
+// The content of a scene file, with every key checked. synth/README.md gives units and meaning.
+// `where` names file and key, for errors that are detected only when the scene is built.
+
+struct ObjectDescription {
+  std::string where;
+  std::string name;
+  std::string category;
+  ModelDescription model;
+  PathDescription path;
+};
+
+struct SceneParts {
+  std::string name;
+  std::string about;
+  std::uint64_t seed = 0;
+  std::uint64_t look_seed = 0;
+  StereoCamera rig;
+  RigError rig_error;
+  int frames = 0;
+  double rate_hz = 0.0;
+  std::variant<RoomDescription, StreetDescription> surroundings;
+  Light light;
+  double texture_contrast = 1.0;  // scales all textures about their mean colour
+  CameraDescription camera;
+  std::vector<ObjectDescription> objects;  // one for each copy
+  Json sensor = Json::object();
+  Json detector = Json::object();
+
+  double Duration_s() const { return frames / rate_hz; }
+};
 
 // A parsed scene file: strict JSON with `--set` assignments applied and every key and value
 // checked. `seed`, `detector` and `sensor`, except `sensor.motion_blur`, do not affect the render.
@@ -21,7 +58,6 @@ class SceneDescription {
   // naming file and key.
   static SceneDescription Load(const std::string& scene,
                                const std::vector<std::string>& assignments);
-  // Paths of mesh files are relative to the working directory.
   static SceneDescription Parse(Json json, const std::string& where,
                                 const std::vector<std::string>& assignments = {});
 
@@ -37,21 +73,37 @@ class SceneDescription {
   const Json& detector() const { return parts_->detector; }
 
  private:
-  SceneDescription(Json json, std::string where, const std::filesystem::path& folder);
+  SceneDescription(Json json, std::string where);
 
   Json json_;
   std::string where_;
   std::shared_ptr<const SceneParts> parts_;
 };
 
-// Returns everything that determines the render, as text for a cache key: keys are sorted, and a
-// mesh file is represented by the content of all files with its stem. Leaves out name, about, seed,
-// detector and sensor, but keeps sensor.motion_blur.
+// Returns everything that determines the render, as text for a cache key with sorted keys. Leaves
+// out name, about, seed, detector and sensor, but keeps sensor.motion_blur.
 std::string RenderKeyText(const SceneDescription& scene);
 
 // Builds the world of a scene. Throws Error for an impossible scene: a body passes through another
 // body, furniture or a wall, the camera is inside something, or a body is never in the camera's
 // view.
 World BuildWorld(const SceneDescription& scene, int threads);
+
+// Parses a scene file. Throws Error naming `where` and the key.
+SceneParts ParseScene(const Json& json, const std::string& where);
+
+// Parse the paths of bodies and of the camera.
+RouteDescription ParseRoute(ObjectReader route);  // without bottom_m and heading
+PathDescription ParsePath(ObjectReader path);
+CameraDescription ParseCamera(ObjectReader camera);
+
+struct ShippedScene {
+  std::string name;  // the `name` in `text`
+  std::string text;  // JSON
+};
+
+// Returns the scene files of synth/scenes. They are compiled in, so that the program does not
+// depend on its location.
+std::vector<ShippedScene> ShippedScenes();
 
 }  // namespace cvo::synth

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <opencv2/core/mat.hpp>
@@ -45,11 +46,17 @@ struct Light {
 // Difference between the true right camera and the one that the rig describes: a calibration error
 // that calib.txt does not contain. All zero: no error.
 struct RigError {
-  double shift_px = 0.0;                                   // of the principal point, to the right
-  Eigen::Vector3d rotation_deg = Eigen::Vector3d::Zero();  // about its x, y, z axes
-  double focal = 0.0;                                      // relative error of the focal length
+  double shift_px = 0.0;                    // of the principal point, to the right
+  std::array<double, 3> rotation_deg = {};  // about its x, y, z axes
+  double focal = 0.0;                       // relative error of the focal length
 
-  bool IsZero() const { return shift_px == 0.0 && rotation_deg.isZero(0.0) && focal == 0.0; }
+  bool operator==(const RigError&) const = default;
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("shift_px", self.shift_px);
+    archive.Field("rotation_deg", self.rotation_deg);
+    archive.Field("focal", self.focal);
+  }
 };
 
 // A built scene: everything that the renderer and the ground truth need. Camera frames are those of
@@ -69,5 +76,36 @@ struct World {
 
   double Time_s(int frame) const { return frame / rate_hz; }
 };
+
+// Returns the separation of two convex shapes, m. It never exceeds their distance and is positive
+// if they are disjoint. If they overlap, it is the negative length of the smallest translation that
+// separates them.
+double Separation(const CollisionShape& a, const RigidTransform& world_from_a,
+                  const CollisionShape& b, const RigidTransform& world_from_b);
+
+// Signed distance, m, from the plane n . p + d = 0 with unit n to the lowest point of a shape along
+// n.
+double PlaneSeparation(const CollisionShape& shape, const RigidTransform& world_from_model,
+                       const Eigen::Vector4d& plane);
+
+// Radius, m, of a sphere around the origin of the model that contains all shapes.
+double BoundingRadius_m(const std::vector<CollisionShape>& shapes);
+
+// A solid object that other solids must not penetrate.
+struct Solid {
+  std::string name;
+  std::vector<CollisionShape> shapes;
+  std::shared_ptr<const Motion> motion;  // null: static; static solids may overlap each other
+  RigidTransform world_from_model;       // pose if `motion` is null
+};
+
+// Checks from time zero to `duration_s` that no solid penetrates another and that no moving solid
+// crosses a wall (planes with inward normals). Touching is allowed. Throws Error at `where` that
+// names the first collision. The result does not depend on the number of threads.
+void CheckCollisions(const std::vector<Solid>& solids, const std::vector<Eigen::Vector4d>& walls,
+                     double duration_s, int threads, const std::string& where);
+
+// Throws Error for a body whose bounding sphere is outside the left camera's view in every frame.
+void CheckInView(const World& world, const std::string& where);
 
 }  // namespace cvo::synth

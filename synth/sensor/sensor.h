@@ -4,10 +4,20 @@
 
 #include <cstdint>
 #include <opencv2/core/mat.hpp>
+#include <vector>
 
 #include "core/base/options.h"
 
 namespace cvo::synth {
+
+// Returns the quantiles of the standard normal distribution at the midpoints of 2^16 equal
+// intervals of probability, scaled to unit variance. Used as an index, 16 random bits give one
+// normal number, so a 64-bit draw gives four. The tails end at 4.3, which makes no difference after
+// rounding to 8 bits.
+const std::vector<float>& NormalQuantiles();
+
+// Cumulative distribution function of the standard normal distribution.
+double NormalCdf(double x);
 
 // Part of the clean render: changing a value requires a new render.
 struct MotionBlurOptions {

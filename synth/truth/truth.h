@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "core/geometry/stereo_camera.h"
 #include "synth/render/renderer.h"
 #include "synth/scene/world.h"
 
@@ -39,5 +43,74 @@ struct FrameTruth {
 };
 
 FrameTruth ComputeTruth(const World& world, int frame, const Rendering& rendering);
+
+// Bounding box of triangles projected into the left image, as far as they are in front of the near
+// plane (StereoCamera::kMinDepth_m). It is not clipped to the image.
+class ProjectedBox {
+ public:
+  explicit ProjectedBox(const StereoCamera& rig) : rig_(rig) {}
+
+  void Add(const Mesh& mesh, const RigidTransform& camera_from_mesh);
+  [[nodiscard]] const std::optional<PixelBox>& box() const { return box_; }
+
+ private:
+  void AddPoint(const Eigen::Vector3d& p_in_camera);
+
+  StereoCamera rig_;
+  std::optional<PixelBox> box_;
+};
+
+// Returns the part of a box within the image; empty if there is none.
+[[nodiscard]] std::optional<PixelBox> ClipToImage(const PixelBox& box, int width_px, int height_px);
+
+inline double Area_px2(const PixelBox& box) {
+  return (box.right - box.left) * (box.bottom - box.top);
+}
+
+// Area of the intersection of two boxes; 0 if they are disjoint.
+double IntersectionArea_px2(const PixelBox& a, const PixelBox& b);
+
+// Computes the forward flow of the left image from one frame to the next in KITTI's encoding,
+// CV_16UC3 in OpenCV's order: valid (0 or 1), 64 v + 2^15, 64 u + 2^15 (red in the PNG file). A
+// pixel stays valid if its surface point leaves the image. It is invalid if it has no surface, if
+// its surface point moves behind the camera, or if the flow is 512 px or more.
+cv::Mat ComputeFlow(const StereoCamera& rig, const Rendering& rendering, const View& now,
+                    const View& next);
+
+// Formats the KITTI tracking labels of one frame, one line for each body with an amodal box: frame,
+// track id (body id), type (category), truncation, occlusion (0: at least 0.8 visible, 1: at least
+// 0.3, 2: less, 3: nothing), alpha, amodal box, height, width, length, bottom centre of its 3D box
+// in the left camera's frame, heading about the camera's y axis. `row_frame` is the frame number to
+// write.
+std::string FormatLabels(const World& world, const FrameTruth& truth, int row_frame);
+
+// Formats a line of a KITTI pose file: the upper 3x4 of the transform, in the shortest decimals
+// that read back exactly.
+std::string FormatKittiPose(const RigidTransform& world_from_camera);
+
+// Formats calib.txt of KITTI odometry; cameras 2 and 3 repeat 0 and 1.
+std::string FormatKittiCalibration(const StereoCamera& rig);
+
+// Formats 7 as "000007", as in KITTI's file names.
+std::string SixDigits(int number);
+
+// objects.csv: a header, then one row per body and frame, whether the body is visible or not. Poses
+// and velocities are in the world frame of the folder, its first left camera. The columns of a
+// missing box are empty.
+std::string ObjectTableHeader();
+std::string FormatObjectRows(const World& world, const FrameTruth& truth, int row_frame,
+                             const RigidTransform& first_left_from_world);
+
+// The content of objects.csv. In `frames`, the world frame is the folder's first left camera and
+// frame numbers count from 0. Only the camera's pose is not set.
+struct ObjectTable {
+  std::vector<std::string> names;       // [id - 1]
+  std::vector<std::string> categories;  // [id - 1]
+  std::vector<Eigen::Vector3d> sizes_m;
+  std::vector<FrameTruth> frames;
+};
+
+// `times_s` are the times of the folder's frames. Throws Error naming file and line.
+ObjectTable ReadObjectTable(const std::filesystem::path& file, const std::vector<double>& times_s);
 
 }  // namespace cvo::synth

@@ -3,21 +3,40 @@
 #include "synth/write/dataset.h"
 
 #include <algorithm>
+#include <memory>
 #include <set>
 
-#include "core/files/images/image_codec.h"
+#include "core/base/error.h"
+#include "core/files/images/image_file.h"
+#include "core/files/json/options_json.h"
 #include "core/files/sha256.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "synth/detector/detector.h"
-#include "synth/truth/labels.h"
-#include "synth/truth/object_table.h"
-#include "synth/write/image_encoding.h"
+#include "synth/render/renderer.h"
+#include "synth/truth/truth.h"
 #include "synth/write/render_cache.h"
 #include "synth_sources.h"
 
 namespace cvo::synth {
-namespace fs = std::filesystem;
 namespace {
+
+namespace fs = std::filesystem;
+
+bool Among(const std::vector<std::string>& list, const std::string& name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+// Returns the options of the level that the scene names, and removes "level" from `values`.
+DetectorOptions TakeLevel(const std::string& where, Json& values) {
+  if (!values.contains("level")) return DetectorLevel("good");
+  const Json level = values["level"];
+  values.erase("level");
+  if (!level.is_string() || !Among(DetectorLevels(), level)) {
+    ThrowError(where + ": detector.level", level.dump(), "\"oracle\", \"good\" or \"poor\"");
+  }
+  return DetectorLevel(level);
+}
 
 constexpr char kReplaceable[] =
     "a new folder or a sequence that this program wrote, as it wrote it";
@@ -59,10 +78,8 @@ CachedRender Draw(const DatasetSource& source, const RenderRequest& request, con
     WriteCleanRender(world, render, source.open_tools(world), pool, request.hooks, build);
     Manifest manifest;
     manifest.scene = source.scene;
-    manifest.first_frame = render.first_frame;
-    manifest.frames = render.frames;
-    manifest.width_px = world.rig.width_px;
-    manifest.height_px = world.rig.height_px;
+    manifest.frames = {render.first_frame, render.frames};
+    manifest.image = {world.rig.width_px, world.rig.height_px};
     manifest.rig_error = world.rig_error;
     manifest.renderer = source.version;
     manifest.program_sources = kSynthSources;
@@ -80,7 +97,7 @@ cv::Mat ReadClean(const fs::path& path) {
 // Writes both images of all frames, in small batches so that a stop takes effect soon.
 void WriteImages(const DatasetSource& source, const RenderRequest& request, std::uint64_t seed,
                  const CachedRender& clean, TaskPool& pool, FolderBuild& build) {
-  const int total = clean.manifest.frames;
+  const int total = clean.manifest.frames.count;
   const int batch = 4 * request.threads;
   for (int begin = 0; begin < total; begin += batch) {
     request.hooks.ThrowIfStopped();
@@ -90,7 +107,7 @@ void WriteImages(const DatasetSource& source, const RenderRequest& request, std:
       const int frame = begin + i / 2;
       const std::string name = StrCat("image_", camera, "/", SixDigits(frame), ".png");
       build.Write(name, EncodePng(ApplySensor(ReadClean(clean.folder / name), source.sensor, seed,
-                                              camera, clean.manifest.first_frame + frame)));
+                                              camera, clean.manifest.frames.first + frame)));
     });
     request.hooks.Report(begin + count, total, "apply the sensor");
   }
@@ -107,8 +124,8 @@ void WriteDetections(const DatasetSource& source, std::uint64_t seed, const Cach
                      FolderBuild& build) {
   const ObjectTable table =
       ReadObjectTable(clean.folder / "objects.csv", ReadTimes_s(clean.folder / "times.txt"));
-  const DetectorInput input = {clean.manifest.width_px, clean.manifest.height_px, table.categories,
-                               table.frames};
+  const DetectorInput input = {clean.manifest.image.width_px, clean.manifest.image.height_px,
+                               table.categories, table.frames};
   for (const NamedDetector& detector : source.detectors) {
     build.Write("detections/" + detector.name + ".txt",
                 FormatDetections(Detect(input, detector.options, seed)));
@@ -126,7 +143,55 @@ bool IsSensorImage(const std::string& name) {
   return name.starts_with("image_0/") || name.starts_with("image_1/");
 }
 
+std::vector<TargetImages> DrawTargets(const StereoCamera& rig, int threads) {
+  const CalibrationTarget target = MakeCalibrationTarget(rig);
+  Renderer renderer(target.world, threads);
+  std::vector<TargetImages> images;
+  for (const View& view : target.views) {
+    cv::Mat left, right;
+    renderer.DrawImages(view, left, right);
+    TargetImages& added = images.emplace_back();
+    added.left = LumaOf(left);
+    added.right = LumaOf(right);
+    const RigidTransform left_from_board = view.world_from_left.Inverse();
+    for (const Eigen::Vector3d& corner : target.corners_m) {
+      added.corners_in_left.push_back(left_from_board * corner);
+    }
+  }
+  return images;
+}
+
 }  // namespace
+
+SensorOptions ReadSensor(const Json& section, const std::string& where) {
+  SensorOptions options;
+  MergeOptions(section, where + ": sensor", OptionLeaves(options));
+  return options;
+}
+
+std::vector<NamedDetector> ReadDetectors(const Json& section, const std::string& where,
+                                         const std::vector<std::string>& chosen) {
+  Json values = section;
+  DetectorOptions custom = TakeLevel(where, values);
+  MergeOptions(values, where + ": detector", OptionLeaves(custom));
+
+  std::vector<NamedDetector> detectors;
+  std::vector<std::string> names = DetectorLevels();
+  for (const std::string& name : names) detectors.push_back({name, DetectorLevel(name)});
+  if (!values.empty()) {
+    detectors.push_back({"custom", custom});
+    names.emplace_back("custom");
+  }
+  for (const std::string& name : chosen) {
+    if (Among(names, name)) continue;
+    ThrowError("detector level", Quoted(name) + DidYouMean(name, names),
+               names.size() > 3 ? "oracle, good, poor or custom" : "oracle, good or poor");
+  }
+  if (!chosen.empty()) {
+    std::erase_if(detectors, [&](const NamedDetector& d) { return !Among(chosen, d.name); });
+  }
+  return detectors;
+}
 
 std::string DrawingKey(const DatasetSource& source, const RenderRequest& request) {
   return Sha256Hex(StrCat("clustervo render 1\n", source.render_key, "\nframes ",
@@ -179,6 +244,36 @@ void WriteDataset(const DatasetSource& source, const RenderRequest& request,
   manifest.scene = source.scene;
   manifest.seed = seed;
   build.Commit(manifest, Existing::kReplace);
+}
+
+DrawingTools OpenRenderer(const World& world, int threads) {
+  const auto renderer = std::make_shared<Renderer>(world, threads);
+  return {[renderer](const View& view) { return renderer->Draw(view); },
+          [renderer](const View& view, cv::Mat& left, cv::Mat& right) {
+            renderer->DrawImages(view, left, right);
+          },
+          [rig = world.rig, threads] { return DrawTargets(rig, threads); }};
+}
+
+DatasetSource SourceOf(const SceneDescription& scene, const RenderRequest& request) {
+  DatasetSource source;
+  source.scene = scene.name();
+  source.description = scene.json();
+  source.render_key = RenderKeyText(scene);
+  source.seed = scene.seed();
+  source.sensor = ReadSensor(scene.sensor(), scene.where());
+  source.detectors = ReadDetectors(scene.detector(), scene.where(), request.detector_levels);
+  source.version = FindRendererVersion();
+  source.build_world = [scene, threads = request.threads] { return BuildWorld(scene, threads); };
+  source.open_tools = [threads = request.threads](const World& world) {
+    return OpenRenderer(world, threads);
+  };
+  return source;
+}
+
+void WriteDataset(const SceneDescription& scene, const RenderRequest& request,
+                  const std::filesystem::path& folder) {
+  WriteDataset(SourceOf(scene, request), request, folder);
 }
 
 }  // namespace cvo::synth

@@ -2,14 +2,62 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synth/write/render_cache.h"
 
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <mutex>
 
 #include "core/base/error.h"
-#include "core/files/temporary.h"
+#include "core/files/atomic_file.h"
+#include "core/files/json/json_record.h"
+#include "core/files/sha256.h"
+#include "core/files/text_file.h"
 
 namespace cvo::synth {
-namespace fs = std::filesystem;
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSchemaVersion = 1;
+constexpr char kKind[] = "clustervo synthetic sequence";
+
+std::optional<std::string> FileDamage(const std::filesystem::path& path, const FileRecord& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) return path.string() + " is missing";
+  if (static_cast<std::int64_t>(size) != file.size_bytes) {
+    return StrCat(path.string(), " has ", size, " bytes instead of ", file.size_bytes);
+  }
+  if (Sha256Hex(ReadFileBytes(path)) != file.sha256) {
+    return path.string() + " has changed since it was written";
+  }
+  return std::nullopt;
+}
+
+[[noreturn]] void ThrowErrno(const fs::path& path, const char* action, int error) {
+  throw Error(StrCat(path.string(), ": cannot ", action, ": ", std::strerror(error)));
+}
+
+void CreateFolders(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) ThrowErrno(path, "create the folder", error.value());
+}
+
+// Creates a temporary folder with a unique name.
+fs::path CreateTemporary(const fs::path& target) {
+  const fs::path path = TemporaryName(target);
+  if (::mkdir(path.c_str(), 0777) != 0) ThrowErrno(path, "create the folder", errno);
+  return path;
+}
+
+void Rename(const fs::path& from, const fs::path& to) {
+  if (::rename(from.c_str(), to.c_str()) != 0) ThrowErrno(to, "write", errno);
+}
 
 std::optional<fs::path> FolderFrom(const char* variable) {
   const char* value = std::getenv(variable);
@@ -19,9 +67,8 @@ std::optional<fs::path> FolderFrom(const char* variable) {
 
 // Renames the entry first, so that no other process finds a half-removed one.
 void RemoveEntry(const fs::path& entry) {
-  const fs::path aside = TemporaryName(entry, "damaged");
+  const fs::path aside = TemporaryName(entry);
   std::error_code error;
-  fs::remove_all(aside, error);
   fs::rename(entry, aside, error);
   if (error) {
     throw Error(StrCat(entry.string(), ": cannot remove the damaged folder: ", error.message()));
@@ -30,6 +77,111 @@ void RemoveEntry(const fs::path& entry) {
 }
 
 }  // namespace
+
+std::string FormatManifest(const Manifest& manifest) {
+  JsonWriter writer;
+  writer.Field("kind", std::string(kKind));
+  writer.Field("schema_version", kSchemaVersion);
+  Manifest::VisitFields(manifest, writer);
+  return DumpJson(writer.Take());
+}
+
+Manifest ReadManifest(const std::filesystem::path& folder) {
+  const std::filesystem::path path = folder / kManifestName;
+  const Json json = ReadJson(path);
+  if (!json.is_object() || json.value("kind", Json()) != kKind ||
+      json.value("schema_version", Json()) != kSchemaVersion) {
+    ThrowError(path.string(), "another JSON file",
+               StrCat("a manifest \"", kKind, "\", ", kSchemaVersion));
+  }
+  return FromJson<Manifest>(json, path.string());
+}
+
+std::optional<std::string> FindDamage(const std::filesystem::path& folder, const Manifest& manifest,
+                                      TaskPool& pool, const std::function<void()>& done) {
+  std::vector<std::optional<std::string>> damages(manifest.files.size());
+  std::mutex mutex;
+  pool.ParallelFor(static_cast<int>(damages.size()), [&](int i) {
+    const FileRecord& file = manifest.files[static_cast<std::size_t>(i)];
+    damages[static_cast<std::size_t>(i)] = FileDamage(folder / file.name, file);
+    const std::lock_guard lock(mutex);
+    if (done) done();
+  });
+  for (const auto& damage : damages) {
+    if (damage) return damage;
+  }
+  return std::nullopt;
+}
+
+FolderBuild::FolderBuild(const fs::path& target)
+    : target_(fs::absolute(target).lexically_normal()) {
+  if (target_.filename().empty()) target_ = target_.parent_path();
+  CreateFolders(target_.parent_path());
+  RemoveLeftovers(target_.parent_path());
+  temporary_ = CreateTemporary(target_);
+}
+
+FolderBuild::~FolderBuild() {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+}
+
+void FolderBuild::Record(FileRecord file) {
+  const std::lock_guard lock(mutex_);
+  files_.push_back(std::move(file));
+}
+
+void FolderBuild::Write(const std::string& name, std::string_view bytes) {
+  CreateFolders((temporary_ / name).parent_path());
+  WriteFileBytes(temporary_ / name, bytes);
+  Record({name, static_cast<std::int64_t>(bytes.size()), Sha256Hex(bytes)});
+}
+
+void FolderBuild::Link(const fs::path& folder, const FileRecord& file) {
+  const fs::path from = folder / file.name;
+  const fs::path to = temporary_ / file.name;
+  CreateFolders(to.parent_path());
+  std::error_code error;
+  fs::create_hard_link(from, to, error);
+  if (error) {
+    error.clear();
+    fs::copy_file(from, to, error);
+    if (error) ThrowErrno(to, "write", error.value());
+  }
+  Record(file);
+}
+
+void FolderBuild::MakeReadOnly() {
+  for (const FileRecord& file : files_) {
+    const fs::path path = temporary_ / file.name;
+    if (::chmod(path.c_str(), 0444) != 0) ThrowErrno(path, "protect the file", errno);
+  }
+}
+
+void FolderBuild::Commit(Manifest manifest, Existing existing) {
+  std::sort(files_.begin(), files_.end(),
+            [](const FileRecord& a, const FileRecord& b) { return a.name < b.name; });
+  manifest.files = files_;
+  WriteFileBytes(temporary_ / kManifestName, FormatManifest(manifest));
+  std::error_code ignored;
+  if (fs::exists(target_, ignored)) {
+    if (existing == Existing::kKeep) return;
+    const fs::path aside = CreateTemporary(target_);
+    Rename(target_, aside);  // replaces the empty folder `aside`
+    try {
+      Rename(temporary_, target_);
+    } catch (...) {
+      ::rename(aside.c_str(), target_.c_str());
+      throw;
+    }
+    fs::remove_all(aside, ignored);
+  } else if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    const bool lost_a_race = errno == ENOTEMPTY || errno == EEXIST;
+    if (existing == Existing::kKeep && lost_a_race) return;
+    ThrowErrno(target_, "write", errno);
+  }
+  temporary_.clear();
+}
 
 fs::path CacheFolder() {
   if (const auto folder = FolderFrom("CLUSTERVO_CACHE")) return *folder;

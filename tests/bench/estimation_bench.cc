@@ -4,8 +4,8 @@
 
 #include "core/base/rng.h"
 #include "core/estimation/camera_solver.h"
-#include "core/estimation/marginalization.h"
-#include "core/solvers/solver_policy.h"
+#include "core/estimation/window_problem.h"
+#include "core/solvers/schur_solver.h"
 #include "tests/support/feature_world.h"
 #include "variants/registry.h"
 
@@ -125,7 +125,7 @@ BENCHMARK(BM_Marginalize)->Arg(200)->Unit(benchmark::kMillisecond);
 
 // The estimator without the front end: 500 features per frame.
 void BM_WholeFrame(benchmark::State& state) {
-  testing::FeatureWorld world(7);
+  test::FeatureWorld world(7);
   TaskPool pool(1);
   StageTimes times;
   auto odometry = FindVariant("static").make({world.camera(), Options(), 0}, pool);
@@ -137,7 +137,7 @@ void BM_WholeFrame(benchmark::State& state) {
       frame = 0;
     }
     const StereoFrame seen =
-        world.Observe(testing::FeatureWorld::CameraAt(frame), frame * 100'000'000LL, 0.5);
+        world.Observe(test::FeatureWorld::CameraAt(frame), frame * 100'000'000LL, 0.5);
     ++frame;
     state.ResumeTiming();
     benchmark::DoNotOptimize(odometry->Process(seen, times).inliers);

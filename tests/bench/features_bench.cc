@@ -9,7 +9,7 @@
 
 #include "core/features/descriptor.h"
 #include "core/features/front_end.h"
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "tests/core/features/scene.h"
 
 namespace cvo {
@@ -23,9 +23,9 @@ struct StereoImages {
 // A synthetic image pair with a disparity of 20 px everywhere and camera-like noise.
 const StereoImages& SyntheticPair() {
   static const StereoImages images = [] {
-    const cv::Mat scene = testing::DrawScene(1242, 375, 1);
-    return StereoImages{testing::Render(scene, 0, 2.0, 1),
-                        testing::Render(scene, 20 * testing::kSubpixelSteps, 2.0, 2)};
+    const cv::Mat scene = test::DrawScene(1242, 375, 1);
+    return StereoImages{test::Render(scene, 0, 2.0, 1),
+                        test::Render(scene, 20 * test::kSubpixelSteps, 2.0, 2)};
   }();
   return images;
 }
@@ -43,7 +43,7 @@ void MatchPair(benchmark::State& state, const StereoImages& images) {
   right_orb.features = static_cast<int>(orb.features * stereo.right_features);
   const OrbImage left = ExtractOrb(images.left, orb);
   const OrbImage right = ExtractOrb(images.right, right_orb);
-  const StereoCamera camera = testing::CameraFor(images.left);
+  const StereoCamera camera = test::CameraFor(images.left);
   std::size_t features = 0;
   for (auto _ : state) features = MatchStereo(left, right, camera, orb, stereo).size();
   state.counters["features"] = static_cast<double>(features);
@@ -51,7 +51,7 @@ void MatchPair(benchmark::State& state, const StereoImages& images) {
 
 void FrontEndPair(benchmark::State& state, const StereoImages& images) {
   TaskPool pool(static_cast<int>(state.range(0)));
-  const StereoCamera camera = testing::CameraFor(images.left);
+  const StereoCamera camera = test::CameraFor(images.left);
   for (auto _ : state) {
     benchmark::DoNotOptimize(
         ExtractStereoFeatures(images.left, images.right, camera, {}, {}, pool));

@@ -24,7 +24,7 @@ if(NOT LIBRARY_BUILD)
   set(ceres "Ceres|")
 endif()
 file(STRINGS "${WORK}/build/CMakeCache.txt" found
-     REGEX "^(${ceres}GTest|CLI11|nlohmann_json|assimp|benchmark|pybind11)_DIR|OPENSSL|TIFF|CVO_NODE")
+     REGEX "^(${ceres}GTest|CLI11|nlohmann_json|benchmark|pybind11)_DIR|OPENSSL|TIFF")
 if(found)
   message(FATAL_ERROR "the estimator alone looks for ${found}")
 endif()

@@ -9,11 +9,11 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/files/host_name.h"
+#include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
-#include "experiments/jobs/child_process.h"
-#include "experiments/suite/plan/scenes.h"
+#include "experiments/jobs/engine.h"
+#include "experiments/suite/plan/inputs.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
 
@@ -85,7 +85,7 @@ TEST_F(FolderFaults, DamageOfEveryKindOfFileIsDetected) {
         "image_1/000001.png", "depth_0/000000.tiff", "instance_0/000001.png"}) {
     const std::string whole = ReadFileBytes(scene_ / name);
     Flip(name);
-    const ProcessResult plan = Suite("plan");
+    const ProcessResult plan = Suite("status");
     EXPECT_EQ(plan.exit_code, 0) << name << plan.err;
     // A damaged manifest names files that do not exist.
     const fs::path named = std::string(name) == "manifest.json" ? scene_ : scene_ / name;
@@ -99,7 +99,7 @@ TEST_F(FolderFaults, DamageOfEveryKindOfFileIsDetected) {
     EXPECT_EQ(test::LineCount(job.err), 1U) << job.err;
     WriteFileBytes(scene_ / name, whole);
   }
-  EXPECT_THAT(Suite("plan").err, testing::IsEmpty());
+  EXPECT_THAT(Suite("status").err, testing::IsEmpty());
 }
 
 // Kinds of damage: one flipped bit, a truncated file, and the file of another scene in its place.
@@ -149,7 +149,7 @@ TEST_F(FolderFaults, DamageOutsideTheCacheIsRefused) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"run", copy.string(), "-o", out, "-q"},
         {"run", copy.string(), "-o", out, "-q", "--cache"},
-        {"eval", "--sequence", copy.string(), "--estimate", out + "/camera.tum"}}) {
+        {"eval", "trajectory", "--sequence", copy.string(), "--estimate", out + "/camera.tum"}}) {
     const ProcessResult result = Program(arguments);
     EXPECT_EQ(result.exit_code, 1) << arguments[0];
     EXPECT_THAT(result.err, AllOf(HasSubstr("depth_0/000001.tiff has changed since it was written"),
@@ -191,17 +191,6 @@ TEST_F(FolderFaults, ALongRunNeedsNoMoreMemory) {
     return ReadJson(out / "timing.json")["peak_memory_mb"].get<double>();
   };
   EXPECT_LT(peak_mb(kFrames) - peak_mb(12), 25.0);
-}
-
-TEST_F(FolderFaults, RemovesFilesOfKilledProcesses) {
-  if (IsSkipped()) return;
-  const std::string name = StrCat(".x.tmp-", HostName(), ".9999999-0");
-  const std::vector<fs::path> left = {folder_.path() / "cache" / name / "a",
-                                      scene_.parent_path() / name / "a",
-                                      folder_.path() / "out" / name};
-  for (const fs::path& file : left) folder_.Write(file.lexically_relative(folder_.path()), "half");
-  EXPECT_EQ(Suite("run").exit_code, 0);
-  for (const fs::path& file : left) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
 TEST_F(FolderFaults, AFolderWithOtherFilesIsNotReplaced) {

@@ -25,7 +25,7 @@ TEST_F(InputFaults, Pipes) {
   ExpectOneLine(RunWall({"--config", pipe}), 1, found);
   ExpectOneLine(RunWall({"--detections", pipe}), 1, found);
   ExpectOneLine(RunWall({"--labels", pipe}), 1, found);
-  ExpectOneLine({"eval", "--groundtruth", pipe, "--estimate", pipe}, 1, found);
+  ExpectOneLine({"eval", "trajectory", "--groundtruth", pipe, "--estimate", pipe}, 1, found);
   ExpectOneLine({"experiment", "table", "--from", pipe}, 1, pipe);
   // Pipes in place of result files are reported or ignored, but never waited for.
   ExpectDone(Suite("run"));
@@ -118,7 +118,7 @@ TEST_F(InputFaults, Memory) {
     std::string text;
     for (int i = 0; i < poses; ++i) text += StrCat(i, " 0 0 0 0 0 0 1\n");
     const std::string file = folder_.Write("long.tum", text);
-    return Run({"eval", "--groundtruth", file, "--estimate", file}, kLimit_bytes);
+    return Run({"eval", "trajectory", "--groundtruth", file, "--estimate", file}, kLimit_bytes);
   };
   const ProcessResult few = eval(3);
   if (few.exit_code != 0) GTEST_SKIP() << "this build needs more address space: " << few.err;
@@ -149,12 +149,13 @@ TEST_F(InputFaults, LongMessages) {
   const std::string much(400'000, 'x');
   const std::string file = folder_.Write("long.json", "{\"name\": \"" + much + "\"}");
   const std::string table = folder_.Write("long.txt", much + "\n" + much);
-  for (const Arguments& arguments : {Arguments{"experiment", "run", file, "-o", out()},
-                                     {"synth", "render", file, "-o", out()},
-                                     RunWall({"--config", file}),
-                                     RunWall({"--detections", table}),
-                                     {"eval", "--groundtruth", table, "--estimate", table},
-                                     RunWall({"--set", much.substr(0, 100'000) + "=1"})}) {
+  for (const Arguments& arguments :
+       {Arguments{"experiment", "run", file, "-o", out()},
+        {"synth", "render", file, "-o", out()},
+        RunWall({"--config", file}),
+        RunWall({"--detections", table}),
+        {"eval", "trajectory", "--groundtruth", table, "--estimate", table},
+        RunWall({"--set", much.substr(0, 100'000) + "=1"})}) {
     const ProcessResult result = Run(arguments);
     EXPECT_THAT(result.exit_code, AnyOf(1, 2)) << result.err;
     EXPECT_LE(result.err.size(), 350U);  // 300 for the message itself

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace cvo::test {
@@ -20,12 +19,6 @@ struct Parser {
 
 // Returns all parsers. Their seeds are files of the source tree, golden results and literal texts.
 std::vector<Parser> AllParsers();
-
-// Strings that often break readers: numbers, brackets, white space, control bytes.
-const std::vector<std::string>& HostilePieces();
-
-// Returns the first whole number, key or value in a text from `begin` on. Empty if there is none.
-std::string_view WordFrom(std::string_view text, std::size_t begin);
 
 // Returns why reading a file is a finding: another exception, an overlong message, or a long run
 // time. Empty if it is none.

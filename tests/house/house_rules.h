@@ -27,6 +27,10 @@ std::vector<std::string> CheckLicense(const SourceFile& file);
 // Sources have at most 400 lines.
 std::vector<std::string> CheckLength(const SourceFile& file);
 
+// A file is a concept: a source, or a header with its .cc, has at least 60 lines, and a header more
+// than one includer apart from its own .cc.
+std::vector<std::string> CheckConcepts(const std::vector<SourceFile>& files);
+
 // No part contains text that is forbidden in it: preprocessor branches and macros in the estimator,
 // flags that change arithmetic, printing or ending the process in libraries, mutable statics,
 // sleeps.

@@ -18,89 +18,87 @@ std::vector<std::string> Include(const std::string& path, const std::string& hea
   return CheckIncludes({path, "#pragma once\n\n  #  include " + header + "  // why\n"});
 }
 
-TEST(Includes, FollowTheLayersOfTheEstimator) {
-  EXPECT_THAT(Include("core/geometry/a.h", "\"core/base/error.h\""), IsEmpty());
+void ExpectIncludes(const std::string& path, const std::vector<const char*>& allowed,
+                    const std::vector<const char*>& refused) {
+  for (const char* header : allowed) EXPECT_THAT(Include(path, header), IsEmpty());
+  for (const char* header : refused) EXPECT_THAT(Include(path, header), SizeIs(1)) << header;
+}
+
+TEST(Includes, NamePlaceAndRule) {
   EXPECT_THAT(Include("core/base/a.h", "\"core/geometry/rigid_transform.h\""),
               ElementsAre("core/base/a.h:3: core/base/ must not include "
                           "core/geometry/rigid_transform.h"));
-  EXPECT_THAT(Include("core/features/a.cc", "\"core/estimation/window.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/association/a.cc", "\"core/interface/frame.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/solvers/a.cc", "\"core/estimation/window.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/clusters/a.cc", "\"core/labelling/label_scene.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/labelling/a.cc", "\"core/clusters/cluster_map.h\""), IsEmpty());
-  EXPECT_THAT(Include("core/labelling/a.cc", "\"core/odometry/motion_model.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/odometry/a.cc", "\"variants/registry.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/odometry/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
-  EXPECT_THAT(Include("variants/a.cc", "\"core/interface/frame.h\""), IsEmpty());
-  EXPECT_THAT(Include("variants/a.cc", "\"experiments/runner/suite.h\""), SizeIs(1));
+}
+
+TEST(Includes, FollowTheLayersOfTheEstimator) {
+  ExpectIncludes("core/geometry/a.h", {"\"core/base/error.h\""}, {});
+  ExpectIncludes("core/features/a.cc", {}, {"\"core/estimation/window.h\""});
+  ExpectIncludes("core/association/a.cc", {}, {"\"core/interface/frame.h\""});
+  ExpectIncludes("core/solvers/a.cc", {}, {"\"core/estimation/window.h\""});
+  ExpectIncludes("core/clusters/a.cc", {}, {"\"core/labelling/label_scene.h\""});
+  ExpectIncludes("core/labelling/a.cc", {"\"core/clusters/cluster_map.h\""},
+                 {"\"core/odometry/motion_model.h\""});
+  ExpectIncludes("core/odometry/a.cc", {},
+                 {"\"variants/registry.h\"", "\"experiments/datasets/sequence.h\""});
+  ExpectIncludes("variants/a.cc", {"\"core/interface/frame.h\""},
+                 {"\"experiments/runner/suite.h\""});
 }
 
 TEST(Includes, TheEstimatorUsesNoFilesJsonOrClock) {
-  for (const char* header : {"<fstream>", "<filesystem>", "<nlohmann/json.hpp>", "<CLI/CLI.hpp>",
-                             "<opencv2/imgcodecs.hpp>", "<random>", "<chrono>"}) {
-    EXPECT_THAT(Include("core/estimation/a.cc", header), SizeIs(1)) << header;
-  }
-  EXPECT_THAT(Include("core/estimation/a.cc", "<ceres/problem.h>"), IsEmpty());
-  EXPECT_THAT(Include("core/base/stage_times.h", "<chrono>"), IsEmpty());
+  ExpectIncludes("core/estimation/a.cc", {"<ceres/problem.h>"},
+                 {"<fstream>", "<filesystem>", "<nlohmann/json.hpp>", "<CLI/CLI.hpp>",
+                  "<opencv2/imgcodecs.hpp>", "<random>", "<chrono>"});
+  ExpectIncludes("core/base/stage_times.h", {"<chrono>"}, {});
 }
 
 TEST(Includes, FollowTheLayersOfTheExperiments) {
-  EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/record/job_identity.h\""),
-              SizeIs(1));
-  EXPECT_THAT(Include("core/files/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
-  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"core/files/json/json.h\""), IsEmpty());
-  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/runner/a.h\""), SizeIs(1));
-  EXPECT_THAT(Include("experiments/record/a.cc", "\"experiments/cli/a.h\""), SizeIs(1));
-  EXPECT_THAT(Include("experiments/runner/a.cc", "\"reports/tables/table.h\""), SizeIs(1));
-  EXPECT_THAT(Include("experiments/cli/a.cc", "\"reports/tables/table.h\""), IsEmpty());
-  EXPECT_THAT(Include("experiments/record/a.cc", "\"build_sources.h\""), IsEmpty());
+  ExpectIncludes("experiments/metrics/a.cc", {}, {"\"experiments/record/job_identity.h\""});
+  ExpectIncludes("core/files/a.cc", {}, {"\"experiments/datasets/sequence.h\""});
+  ExpectIncludes("experiments/datasets/a.cc", {"\"core/files/json/json.h\""},
+                 {"\"experiments/runner/a.h\""});
+  ExpectIncludes("experiments/record/a.cc", {"\"build_sources.h\""}, {"\"experiments/cli/a.h\""});
+  ExpectIncludes("experiments/runner/a.cc", {}, {"\"reports/tables/table.h\""});
+  ExpectIncludes("experiments/cli/a.cc", {"\"reports/tables/table.h\""}, {});
 }
 
 TEST(Includes, NestedFoldersAreBelowOrAboveTheirParent) {
-  EXPECT_THAT(Include("core/files/a.cc", "\"core/files/text/utf8.h\""), IsEmpty());
-  EXPECT_THAT(Include("core/files/a.cc", "\"core/files/json/json.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/files/text/a.cc", "\"core/files/disk.h\""), SizeIs(1));
-  EXPECT_THAT(Include("core/files/json/a.cc", "\"core/files/text_file.h\""), IsEmpty());
-  EXPECT_THAT(Include("experiments/metrics/a.cc", "\"experiments/metrics/objects/a.h\""),
-              SizeIs(1));
-  EXPECT_THAT(Include("experiments/datasets/a.cc", "\"experiments/metrics/objects/a.h\""),
-              IsEmpty());
-  EXPECT_THAT(Include("experiments/suite/shipped/a.cc", "\"experiments/suite/suite.h\""),
-              SizeIs(1));
-  EXPECT_THAT(Include("experiments/suite/a.cc", "\"experiments/suite/shipped/a.h\""), IsEmpty());
-  EXPECT_THAT(Include("experiments/suite/a.cc", "\"experiments/suite/plan/plan.h\""), SizeIs(1));
-  EXPECT_THAT(Include("experiments/suite/plan/a.cc", "\"synth/write/manifest.h\""), IsEmpty());
-  EXPECT_THAT(Include("experiments/jobs/a.cc", "\"experiments/suite/plan/plan.h\""), IsEmpty());
-  EXPECT_THAT(Include("experiments/jobs/a.cc", "\"experiments/jobs/slurm/a.h\""), SizeIs(1));
-  EXPECT_THAT(Include("reports/web/a.cc", "\"reports/overlays/drawing/a.h\""), IsEmpty());
+  ExpectIncludes("core/files/a.cc", {"\"core/files/text/utf8.h\""}, {"\"core/files/json/json.h\""});
+  ExpectIncludes("core/files/text/a.cc", {}, {"\"core/files/disk.h\""});
+  ExpectIncludes("core/files/json/a.cc", {"\"core/files/text_file.h\""}, {});
+  ExpectIncludes("experiments/metrics/a.cc", {}, {"\"experiments/metrics/objects/a.h\""});
+  ExpectIncludes("experiments/datasets/a.cc", {"\"experiments/metrics/objects/a.h\""}, {});
+  ExpectIncludes("experiments/suite/shipped/a.cc", {}, {"\"experiments/suite/suite.h\""});
+  ExpectIncludes("experiments/suite/a.cc", {"\"experiments/suite/shipped/a.h\""},
+                 {"\"experiments/suite/plan/plan.h\""});
+  ExpectIncludes("experiments/suite/plan/a.cc", {"\"synth/write/manifest.h\""}, {});
+  ExpectIncludes("experiments/jobs/a.cc", {"\"experiments/suite/plan/plan.h\""},
+                 {"\"experiments/jobs/slurm/a.h\""});
 }
 
 TEST(Includes, ReportsReadFilesOnly) {
-  EXPECT_THAT(Include("reports/tables/a.cc", "\"core/base/error.h\""), IsEmpty());
-  EXPECT_THAT(Include("reports/tables/a.cc", "\"core/geometry/rigid_transform.h\""), SizeIs(1));
-  EXPECT_THAT(Include("reports/tables/a.cc", "\"experiments/jobs/job_status.h\""), SizeIs(1));
-  EXPECT_THAT(Include("reports/tables/a.cc", "<Eigen/Core>"), SizeIs(1));
+  ExpectIncludes(
+      "reports/tables/a.cc",
+      {"\"core/base/error.h\"", "\"core/geometry/rigid_transform.h\"", "<Eigen/Core>"},
+      {"\"core/features/orb/orb.h\"", "\"experiments/jobs/job_status.h\"", "<ceres/ceres.h>"});
 }
 
 TEST(Includes, OnlyOverlaysDraw) {
-  EXPECT_THAT(Include("reports/overlays/a.cc", "<opencv2/imgproc.hpp>"), IsEmpty());
-  EXPECT_THAT(Include("reports/overlays/a.cc", "\"reports/runs/run_detail.h\""), IsEmpty());
-  EXPECT_THAT(Include("reports/overlays/a.cc", "\"core/geometry/rigid_transform.h\""), SizeIs(1));
-  EXPECT_THAT(Include("reports/overlays/a.cc", "\"experiments/cache/cache_file.h\""), SizeIs(1));
-  EXPECT_THAT(Include("reports/overlays/a.cc", "<Eigen/Core>"), SizeIs(1));
-  EXPECT_THAT(Include("reports/web/a.cc", "<opencv2/core/mat.hpp>"), SizeIs(1));
+  ExpectIncludes("reports/overlays/a.cc",
+                 {"<opencv2/imgproc.hpp>", "\"reports/runs/run_detail.h\"",
+                  "\"core/geometry/rigid_transform.h\""},
+                 {"\"experiments/cache/cache_file.h\"", "<ceres/ceres.h>"});
+  ExpectIncludes("reports/page/a.cc", {}, {"<opencv2/core/mat.hpp>"});
 }
 
 TEST(Includes, SynthIncludesOnlyGeometryAndNothingIncludesTests) {
-  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/geometry/stereo_camera.h\""), IsEmpty());
-  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/files/json/json.h\""), IsEmpty());
-  EXPECT_THAT(Include("synth/scene/a.cc", "\"experiments/datasets/sequence.h\""), SizeIs(1));
-  EXPECT_THAT(Include("synth/scene/a.cc", "\"core/features/orb/orb.h\""), SizeIs(1));
-  EXPECT_THAT(Include("synth/render/a.cc", "\"synth/scene/world.h\""), IsEmpty());
-  EXPECT_THAT(Include("synth/models/a.cc", "\"synth/scene/world.h\""), SizeIs(1));
-  EXPECT_THAT(Include("experiments/cli/a.cc", "\"tests/support/temp_folder.h\""), SizeIs(1));
-  EXPECT_THAT(Include("tests/core/a.cc", "\"experiments/cli/a.h\""), IsEmpty());
-  EXPECT_THAT(Include("tools/a.cc", "\"core/base/error.h\""), SizeIs(1));
+  ExpectIncludes("synth/scene/a.cc",
+                 {"\"core/geometry/stereo_camera.h\"", "\"core/files/json/json.h\""},
+                 {"\"experiments/datasets/sequence.h\"", "\"core/features/orb/orb.h\""});
+  ExpectIncludes("synth/render/a.cc", {"\"synth/scene/world.h\""}, {});
+  ExpectIncludes("synth/models/a.cc", {}, {"\"synth/scene/world.h\""});
+  ExpectIncludes("experiments/cli/a.cc", {}, {"\"tests/support/temp_folder.h\""});
+  ExpectIncludes("tests/core/a.cc", {"\"experiments/cli/a.h\""}, {});
+  ExpectIncludes("tools/a.cc", {}, {"\"core/base/error.h\""});
 }
 
 const char kHeader[] =
@@ -121,6 +119,20 @@ TEST(License, IsTwoLinesAtTheTop) {
 TEST(Length, IsAtMostFourHundredLines) {
   EXPECT_THAT(CheckLength({"a.cc", std::string(400, '\n')}), IsEmpty());
   EXPECT_THAT(CheckLength({"a.cc", std::string(401, '\n')}), SizeIs(1));
+}
+
+TEST(Concepts, AreNeitherShortNorAHeaderOfOneFile) {
+  const std::string lines(60, '\n');
+  const SourceFile header{"core/a.h", lines};
+  const SourceFile own{"core/a.cc", "#include \"core/a.h\"" + lines};
+  const SourceFile user{"core/b.cc", "#include \"core/a.h\"" + lines};
+  const SourceFile test{"tests/core/a_test.cc", "#include \"core/a.h\"" + lines};
+  EXPECT_THAT(CheckConcepts({header, own, user, test}), IsEmpty());
+  EXPECT_THAT(CheckConcepts({header, own, user}),
+              ElementsAre("core/a.h:1: only core/b.cc includes it: it belongs there"));
+  EXPECT_THAT(CheckConcepts({{"core/a.h", "\n"}, {"core/a.cc", lines}}), IsEmpty());
+  EXPECT_THAT(CheckConcepts({{"core/a.cc", std::string(59, '\n')}}),
+              ElementsAre("core/a.cc:1: 59 lines, at least 60"));
 }
 
 std::vector<std::string> Text(const std::string& path, const std::string& line) {

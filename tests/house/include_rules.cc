@@ -45,8 +45,8 @@ std::vector<Part> CoreParts() {
 std::vector<Part> SynthParts() {
   std::vector<Part> parts;
   std::vector<std::string> below = {"core/base/", "core/geometry/", "core/files/"};
-  for (const char* layer : {"models", "motion", "scene", "family", "render", "truth", "sensor",
-                            "detector", "write", "preview", "diversity"}) {
+  for (const char* layer :
+       {"models", "motion", "scene", "family", "render", "truth", "sensor", "detector", "write"}) {
     below.push_back(StrCat("synth/", layer, "/"));
     parts.push_back({below.back(), below, {"random"}});
   }
@@ -96,7 +96,7 @@ std::vector<Part> MakeParts() {
                                     "experiments/datasets/", "experiments/metrics/"};
   parts.push_back({"experiments/suite/shipped/", {"experiments/suite/shipped/"}, {}});
   for (const char* folder :
-       {"cache", "log", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
+       {"cache", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
     const std::string part = StrCat("experiments/", folder, "/");
     below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");
@@ -104,17 +104,13 @@ std::vector<Part> MakeParts() {
   }
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
-  // The drawing of a frame is independent of the folder of a run.
-  parts.push_back({"reports/overlays/drawing/",
-                   {"core/base/", "core/files/", "reports/results/", "reports/runs/",
-                    "reports/overlays/drawing/"},
-                   {"ceres/.*", "Eigen/.*", "filesystem"}});
   // Overlays draw on images; all other reports use only files of numbers and text.
-  parts.push_back(
-      {"reports/overlays/", {"core/base/", "core/files/", "reports/"}, {"ceres/.*", "Eigen/.*"}});
+  parts.push_back({"reports/overlays/",
+                   {"core/base/", "core/geometry/", "core/files/", "reports/"},
+                   {"ceres/.*"}});
   parts.push_back({"reports/",
-                   {"core/base/", "core/files/", "reports/"},
-                   {"opencv2/.*", "ceres/.*", "Eigen/.*"}});
+                   {"core/base/", "core/geometry/", "core/files/", "reports/"},
+                   {"opencv2/.*", "ceres/.*"}});
   parts.push_back({"tests/", {""}, {}});
   return parts;
 }

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Applies the house rules to the source tree.
+// Applies the house rules to the source tree, and tests the files that are needed before a build.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
+#include <sstream>
 
 #include "tests/house/house_rules.h"
 #include "tests/support/temp_folder.h"
@@ -14,6 +16,8 @@ namespace cvo::test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
 using testing::IsEmpty;
 
 const fs::path kTop = CVO_SOURCE_DIR;
@@ -77,7 +81,43 @@ TEST(SourceTree, HasNoForbiddenText) { EXPECT_THAT(OnAll(CheckForbiddenText), Is
 
 TEST(SourceTree, CitationsExist) { EXPECT_THAT(CheckCitations(Sources(), Documents()), IsEmpty()); }
 
+TEST(SourceTree, DISABLED_FilesAreConcepts) { EXPECT_THAT(CheckConcepts(Sources()), IsEmpty()); }
+
 TEST(SourceTree, EverySourceIsBuilt) { EXPECT_THAT(CheckRegistered(Sources()), IsEmpty()); }
+
+// Returns the first group of the first match of the pattern in the file. Empty if there is none.
+std::string Found(const char* file, const char* pattern) {
+  const std::string text = ReadFile(kTop / file);
+  std::smatch match;
+  return std::regex_search(text, match, std::regex(pattern)) ? match[1].str() : "";
+}
+
+TEST(ReleaseFiles, AgreeOnTheVersion) {
+  const std::string version = Found("CMakeLists.txt", R"(project\(ClusterVO VERSION ([\d.]+))");
+  EXPECT_THAT(version, testing::MatchesRegex("[0-9]+[.][0-9]+[.][0-9]+"));
+  EXPECT_EQ(Found("CHANGELOG.md", R"(\n## ([\d.]+)\n)"), version) << "the newest entry";
+  EXPECT_EQ(Found("CITATION.cff", R"(\nversion: ([\d.]+)\n)"), version);
+  const std::string minor = version.substr(0, version.rfind('.'));
+  for (const char* file : {"README.md", "tests/consumer/CMakeLists.txt"}) {
+    EXPECT_EQ(Found(file, R"(find_package\(ClusterVO ([\d.]+))"), minor) << file;
+  }
+}
+
+TEST(ReleaseFiles, EveryPackageHasAReason) {
+  std::istringstream lines(ReadFile(kTop / "packages.txt"));
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_TRUE(
+        std::regex_match(line, std::regex(R"(|#.*|\[[a-z]+\] # \S.*|[a-z0-9.+-]+ +# \S.*)")))
+        << line;
+  }
+}
+
+// Public CI and the development container use the shared script and list of packages.
+TEST(ReleaseFiles, ShareOneListOfPackagesAndOneScript) {
+  EXPECT_THAT(ReadFile(kTop / ".github/workflows/ci.yml"), HasSubstr("run: .ci/run\n"));
+  EXPECT_THAT(ReadFile(kTop / ".devcontainer/Dockerfile"),
+              AllOf(HasSubstr("COPY packages.txt"), HasSubstr("RUN /setup/.ci/install-packages")));
+}
 
 }  // namespace
 }  // namespace cvo::test

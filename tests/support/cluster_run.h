@@ -10,7 +10,7 @@
 #include "tests/support/moving_world.h"
 #include "variants/registry.h"
 
-namespace cvo::testing {
+namespace cvo::test {
 
 // The output of a variant for a world, per frame and at the end of the run.
 struct ClusterRun {
@@ -96,4 +96,4 @@ inline std::set<ClusterId> ReportedIds(const ClusterRun& run) {
   return ids;
 }
 
-}  // namespace cvo::testing
+}  // namespace cvo::test

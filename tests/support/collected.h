@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/files/text_sink.h"
+#include "core/files/text_file.h"
 
 namespace cvo::test {
 

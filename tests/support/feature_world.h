@@ -7,10 +7,9 @@
 #include "core/base/rng.h"
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
-#include "tests/support/disagreement.h"
-#include "tests/support/random_descriptor.h"
+#include "tests/support/estimator_inputs.h"
 
-namespace cvo::testing {
+namespace cvo::test {
 
 // A static world of points with distinct descriptors. Produces stereo frames without images, to
 // test everything downstream of the front end.
@@ -72,4 +71,4 @@ class FeatureWorld {
   std::vector<Descriptor> descriptors_;
 };
 
-}  // namespace cvo::testing
+}  // namespace cvo::test

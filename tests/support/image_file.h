@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "core/files/text_file.h"
 
 namespace cvo::test {

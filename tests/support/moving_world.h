@@ -12,10 +12,9 @@
 #include "core/base/rng.h"
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
-#include "tests/support/disagreement.h"
-#include "tests/support/random_descriptor.h"
+#include "tests/support/estimator_inputs.h"
 
-namespace cvo::testing {
+namespace cvo::test {
 
 // A solid box that moves through the world, with points of distinct descriptors on its faces.
 struct MovingBody {
@@ -206,4 +205,4 @@ inline std::vector<MovingBody> TwoBodies() {
   return {turning, stopping};
 }
 
-}  // namespace cvo::testing
+}  // namespace cvo::test

@@ -7,7 +7,7 @@
 
 #include <limits>
 
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/run_sequence.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -85,7 +85,7 @@ TEST_F(StereoOdometryTest, AgreesWithTheRunnerToTheLastBit) {
     for (int i = 0; i < kFrames; ++i) {
       EXPECT_EQ(Numbers(trajectory[i]), Numbers(run->frames[i].refined_world_from_camera));
     }
-    EXPECT_EQ(odometry.ClusterTrajectories().size(), run->clusters.clusters().size());
+    EXPECT_EQ(odometry.ClusterTrajectories().size(), run->clusters.size());
   }
 }
 

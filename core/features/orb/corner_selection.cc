@@ -8,6 +8,93 @@
 #include <cstdint>
 
 namespace cvo {
+
+namespace {
+
+constexpr double kGrowth = 0.1;  // of the size of a box, on each side and per frame
+
+cv::Rect2d Grown(const cv::Rect2d& box, int frames) {
+  const double x = kGrowth * frames * box.width;
+  const double y = kGrowth * frames * box.height;
+  return {box.x - x, box.y - y, box.width + 2.0 * x, box.height + 2.0 * y};
+}
+
+bool HasCenterOf(const cv::Rect2d& box, const CornerRegion& region) {
+  return region.box.contains({box.x + 0.5 * box.width, box.y + 0.5 * box.height});
+}
+
+}  // namespace
+
+std::vector<CornerRegion> LeftRegions(RecentBoxes boxes, const OrbOptions& orb) {
+  std::vector<CornerRegion> regions;
+  const int frames = std::min(orb.reserve_frames, static_cast<int>(boxes.size()));
+  for (int age = 0; age < frames; ++age) {
+    const std::size_t newer = regions.size();
+    for (const cv::Rect2d& box : boxes[boxes.size() - 1 - static_cast<std::size_t>(age)]) {
+      const bool is_seen_again =
+          std::any_of(regions.begin(), regions.begin() + static_cast<std::ptrdiff_t>(newer),
+                      [&](const CornerRegion& region) { return HasCenterOf(box, region); });
+      if (!is_seen_again) regions.push_back({Grown(box, age), age == 0 ? orb.box_features : 0});
+    }
+  }
+  return regions;
+}
+
+std::vector<CornerRegion> RightRegions(std::vector<CornerRegion> regions,
+                                       const StereoMatchOptions& stereo,
+                                       const StereoCamera& camera) {
+  const double max_disparity_px = camera.fx / stereo.min_depth_baselines;
+  for (CornerRegion& region : regions) {
+    cv::Rect2d& box = region.box;
+    const double left_px = std::max(0.0, box.x - max_disparity_px);
+    const cv::Rect2d seen(left_px, box.y, box.x + box.width - left_px, box.height);
+    const double widening = seen.width / std::max(1.0, box.width);
+    const double corners = std::clamp(region.corners * stereo.right_features * widening, 0.0,
+                                      static_cast<double>(OrbOptions::kMaxFeatures));
+    region = {seen, static_cast<int>(std::lround(corners))};
+  }
+  return regions;
+}
+
+namespace {
+
+constexpr double kMaxMove_px = 1.0;
+
+// Scores of three adjacent lines (columns or rows), each smoothed along the line by (1 2 1) / 4.
+// This amounts to a least-squares fit with weights that fall off towards the corners.
+struct Profile {
+  double before, middle, after;
+
+  double Slope() const { return 0.5 * (after - before); }
+  double Curvature() const { return before + after - 2.0 * middle; }
+};
+
+double Smooth(double before, double middle, double after) {
+  return 0.25 * (before + 2.0 * middle + after);
+}
+
+}  // namespace
+
+Eigen::Vector2d RefineCorner(const cv::Mat& scores, int x, int y) {
+  double s[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) s[i][j] = scores.at<std::uint8_t>(y - 1 + i, x - 1 + j);
+  }
+  const Profile columns{Smooth(s[0][0], s[1][0], s[2][0]), Smooth(s[0][1], s[1][1], s[2][1]),
+                        Smooth(s[0][2], s[1][2], s[2][2])};
+  const Profile rows{Smooth(s[0][0], s[0][1], s[0][2]), Smooth(s[1][0], s[1][1], s[1][2]),
+                     Smooth(s[2][0], s[2][1], s[2][2])};
+  const double mixed = 0.25 * (s[2][2] - s[2][0] - s[0][2] + s[0][0]);
+  const double determinant = columns.Curvature() * rows.Curvature() - mixed * mixed;
+  if (!(determinant > 0.0) || columns.Curvature() >= 0.0) return Eigen::Vector2d::Zero();
+  const Eigen::Vector2d move =
+      Eigen::Vector2d(mixed * rows.Slope() - rows.Curvature() * columns.Slope(),
+                      mixed * columns.Slope() - columns.Curvature() * rows.Slope()) /
+      determinant;
+  if (move.cwiseAbs().maxCoeff() > kMaxMove_px) return Eigen::Vector2d::Zero();
+  return move;
+}
+
 namespace {
 
 constexpr double kExcess = 1.05;  // accepted count over quota; the weakest are then dropped

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/json/json_rows.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 #include "core/files/text_file.h"

@@ -66,11 +66,6 @@ void CheckFile(const Json& json, const std::string& where, int schema_version,
   }
 }
 
-bool IsFile(const Json& json, int schema_version, const std::string& kind) {
-  return json.is_object() && json.value("schema_version", Json()) == schema_version &&
-         json.value("kind", Json()) == kind;
-}
-
 const Json* FindField(const Json& object, const char* key, const std::string& where) {
   if (!object.is_object()) FailType(object, where, "an object");
   const auto found = object.find(key);

@@ -101,7 +101,6 @@ void ReadJsonNumbers(const Json& json, const std::string& where, double* numbers
 // Throws Error unless the file declares this schema version and kind.
 void CheckFile(const Json& json, const std::string& where, int schema_version,
                const std::string& kind);
-bool IsFile(const Json& json, int schema_version, const std::string& kind);
 // Returns nullptr if there is no such field. Throws Error if `object` is not an object.
 const Json* FindField(const Json& object, const char* key, const std::string& where);
 [[noreturn]] void FailMissing(const char* key, const std::string& where);
@@ -256,13 +255,6 @@ Json ToJson(const T& value, const Context&... context) {
   }
 }
 
-// A record that is also read from files of the previous schema version, with their JSON converted
-// to the present one.
-template <typename T>
-concept UpgradedRecord = requires(const Json& json, const std::string& where) {
-  T::Upgraded(json, where);
-};
-
 // A whole file, which starts with its schema version and kind: T::kSchemaVersion and T::kKind.
 template <JsonRecord T>
 Json FileJson(const T& record) {
@@ -278,11 +270,6 @@ std::string FileText(const T& record) {
 }
 template <JsonRecord T>
 T ReadRecord(const Json& json, const std::string& where) {
-  if constexpr (UpgradedRecord<T>) {
-    if (internal::IsFile(json, T::kSchemaVersion - 1, T::kKind)) {
-      return FromJson<T>(T::Upgraded(json, where), where);
-    }
-  }
   internal::CheckFile(json, where, T::kSchemaVersion, T::kKind);
   return FromJson<T>(json, where);
 }

@@ -28,7 +28,7 @@ bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
   for (const OptionLeaf& leaf : leaves) known.push_back(leaf.path);
   // A short list of names is more helpful than a reference to where they are listed.
   constexpr std::size_t kShort = 20;
-  std::string expected = "one of those that `clustervo options` lists";
+  std::string expected = "one of those that `clustervo list options` lists";
   if (known.size() <= kShort) {
     expected = "one of";
     for (const std::string& name : known) expected += (&name == &known[0] ? " " : ", ") + name;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,5 +19,16 @@ std::string DidYouMean(std::string_view name, const std::vector<std::string>& kn
 
 // "one of a, b, c", followed by the result of DidYouMean.
 std::string OneOfKnown(std::string_view name, const std::vector<std::string>& known);
+
+// Returns the names, except that each name that occurs several times is replaced by its element of
+// `otherwise`, such as a path.
+inline std::vector<std::string> UniqueNames(const std::vector<std::string>& names,
+                                            const std::vector<std::string>& otherwise) {
+  std::vector<std::string> unique = names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::count(names.begin(), names.end(), names[i]) > 1) unique[i] = otherwise.at(i);
+  }
+  return unique;
+}
 
 }  // namespace cvo

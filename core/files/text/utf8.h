@@ -30,4 +30,13 @@ std::string PrintableLines(std::string_view text);
 // Width in a terminal, with each character counted as one column.
 std::size_t Width(std::string_view text);
 
+// Escapes text for use between tags and in quoted attributes of HTML and XML.
+std::string HtmlEscaped(std::string_view text);
+
+// Escapes text so that Markdown shows it literally, without emphasis, code, links, mathematics,
+// table cells or HTML.
+std::string MarkdownEscaped(std::string_view text);
+
+std::string Base64(std::string_view bytes);
+
 }  // namespace cvo

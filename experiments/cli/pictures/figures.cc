@@ -1,92 +1,96 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/pictures/figures.h"
+
 #include <algorithm>
 #include <iostream>
-#include <memory>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
-#include "experiments/cli/command.h"
+#include "core/files/text_file.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/cli/pictures/render_figures.h"
 #include "experiments/cli/reports/suite_table.h"
-#include "reports/figure_files/paper_figure.h"
-#include "reports/figures/suite/suite_figures.h"
+#include "experiments/cli/scratch_folder.h"
+#include "experiments/jobs/engine.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo {
 namespace {
 
-struct FigureFlags {
-  std::string folder;
-  std::string out;
-  std::string format = "svg";
-  std::string only;
-};
-
-void KeepOnly(const std::string& id, reports::SuiteDrawing& drawing) {
-  std::vector<std::string> ids;
-  for (const reports::Figure& figure : drawing.figures) ids.push_back(figure.id);
-  if (std::find(ids.begin(), ids.end(), id) == ids.end()) {
-    ThrowError("--only", StrCat("\"", id, "\"", DidYouMean(id, ids)),
-               "one of: " + Joined(ids, ", "));
+// The date in the PDF is fixed, so that the same figure gives the same bytes.
+std::string ToPdf(const std::string& svg) {
+  constexpr int kNotFound = 127;
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / "figure.svg").string();
+  WriteFileBytes(file, svg);
+  const Captured made =
+      Capture({"/usr/bin/env", "SOURCE_DATE_EPOCH=946684800", "rsvg-convert", "-f", "pdf", file},
+              [](const Captured&) { return false; });
+  if (made.exit_code == kNotFound) {
+    ThrowError("pdf", "no rsvg-convert in PATH", "it (Debian: apt install librsvg2-bin), or svg");
   }
-  std::erase_if(drawing.figures, [&](const reports::Figure& figure) { return figure.id != id; });
+  if (made.exit_code != 0 || !made.out.starts_with("%PDF-")) {
+    ThrowError("rsvg-convert", StrCat("exit code ", made.exit_code, ", ", Quoted(made.err)),
+               "a PDF");
+  }
+  return made.out;
 }
 
-std::vector<NamedContent> MakeFiles(const std::vector<reports::Figure>& figures,
-                                    const std::string& format) {
-  if (format != "json") return RenderFigures(figures, format);
-  std::vector<NamedContent> files;
-  for (const reports::Figure& figure : figures) {
-    files.push_back({figure.id + ".json", reports::FigureJson(figure)});
+void KeepOnly(const std::string& name, reports::SuiteFigures& drawn) {
+  std::vector<std::string> names;
+  for (const reports::Figure& figure : drawn.figures) names.push_back(figure.name);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    ThrowError("--only", StrCat("\"", name, "\"", DidYouMean(name, names)),
+               "one of: " + Joined(names, ", "));
   }
-  return files;
-}
-
-int WriteFigures(const FigureFlags& flags) {
-  const reports::Table table =
-      reports::MakeTable(flags.folder, reports::ShippedReference(), DefaultOptions());
-  reports::SuiteDrawing drawing =
-      reports::SuiteFigures(reports::ReadSuiteData(flags.folder, table));
-  if (!flags.only.empty()) KeepOnly(flags.only, drawing);
-  const OutputFolder out = OpenOutput(flags.out, {}, {flags.folder});
-  if (!drawing.figures.empty()) {
-    const std::vector<NamedContent> files = MakeFiles(drawing.figures, flags.format);
-    WriteFilesAtomically(out.path(), files);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      std::cout << (out.path() / files[i].name).string() << ": " << drawing.figures[i].title
-                << '\n';
-    }
-  }
-  if (flags.only.empty()) {
-    for (const std::string& reason : drawing.not_drawn)
-      std::cout << "not drawn: " << reason << '\n';
-  }
-  return 0;
+  std::erase_if(drawn.figures, [&](const auto& figure) { return figure.name != name; });
+  drawn.not_drawn.clear();
 }
 
 }  // namespace
 
-Command AddFiguresCommand(CLI::App& program) {
-  CLI::App* app =
-      program.add_subcommand("figures", "Export the figures of a suite as SVG, PDF or Plotly JSON");
-  const auto flags = std::make_shared<FigureFlags>();
-  app->add_option("DIR", flags->folder, "output folder of the suite")->type_name("")->required();
-  app->add_option("-o,--output", flags->out, "output folder")->type_name("OUT")->required();
-  app->add_option("--format", flags->format, "svg, pdf, or json (Plotly figure)")
-      ->type_name("FORMAT")
-      ->check(OneOf({"svg", "pdf", "json"}));
-  app->add_option("--only", flags->only, "write only this figure, given by its file name")
-      ->type_name("ID");
-  app->footer(
-      "The set of figures depends on the results: varied options, references, bodies with "
-      "ground\ntruth, times. Figures that cannot be drawn are listed with the reason. SVG and PDF "
-      "are\nrendered by Chromium (Debian's, or CLUSTERVO_BROWSER). The same results give "
-      "byte-identical\nfiles.\n"
-      "Example: clustervo figures results/ablation -o figures --format pdf");
-  return {app, [flags] { return WriteFigures(*flags); }};
+void AddChartStyle(CLI::App& app, reports::ChartStyle& style) {
+  app.add_option("--width", style.width_mm, "width of a full figure, in mm")
+      ->type_name("MM")
+      ->check(CLI::Range(60.0, 1000.0).description(""))
+      ->capture_default_str();
+  app.add_option("--font", style.font, "font families, in order of preference")
+      ->type_name("NAMES")
+      ->capture_default_str();
+  app.add_option("--font-size", style.font_size_pt, "size of the font, in pt")
+      ->type_name("PT")
+      ->check(CLI::Range(4.0, 40.0).description(""))
+      ->capture_default_str();
+}
+
+std::string FigureFile(const reports::Figure& figure, const reports::ChartStyle& style,
+                       const std::string& format) {
+  reports::Chart chart = figure.chart;
+  chart.title = figure.title;
+  chart.caption = figure.caption;
+  const std::string svg = reports::ChartSvg(chart, style);
+  return format == "pdf" ? ToPdf(svg) : svg;
+}
+
+int WriteFigures(const SuiteFigureFlags& flags) {
+  const reports::Table table =
+      reports::MakeTable(flags.folder, reports::ShippedReference(), DefaultOptions());
+  reports::SuiteFigures drawn =
+      reports::MakeSuiteFigures(reports::ReadSuiteData(flags.folder, table));
+  if (!flags.only.empty()) KeepOnly(flags.only, drawn);
+  const OutputFolder out = OpenOutput(flags.output, {}, {flags.folder});
+  std::vector<NamedContent> files;
+  for (const reports::Figure& figure : drawn.figures) {
+    files.push_back(
+        {figure.name + "." + flags.format, FigureFile(figure, flags.style, flags.format)});
+  }
+  if (!files.empty()) WriteFilesAtomically(out.path(), files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::cout << (out.path() / files[i].name).string() << ": " << drawn.figures[i].title << '\n';
+  }
+  for (const std::string& reason : drawn.not_drawn) std::cout << "not drawn: " << reason << '\n';
+  return 0;
 }
 
 }  // namespace cvo

@@ -3,26 +3,82 @@
 #include "experiments/cli/pictures/overlay.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <memory>
+#include <opencv2/core.hpp>
 #include <optional>
+#include <sstream>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/cli/pictures/overlay_output.h"
+#include "experiments/cli/pictures/run_images.h"
+#include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/suite/suite_run.h"
-#include "experiments/datasets/frame_range.h"
+#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/scratch_folder.h"
+#include "experiments/cli/stop_signal.h"
+#include "experiments/datasets/sequence.h"
+#include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/overlay_run.h"
+#include "reports/overlays/picture_files.h"
+#include "reports/results/suite_runs.h"
 #include "variants/registry.h"
 
 namespace cvo {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr const char* kSheet = "sheet.png";
+
 bool HasFrame(const reports::OverlayRun& run, int frame) {
   return std::any_of(run.detail.camera.begin(), run.detail.camera.end(),
                      [frame](const reports::CameraFrame& entry) { return entry.frame == frame; });
+}
+
+void CheckName(const reports::SuitePlan& plan, const std::string& key, const std::string& name) {
+  std::vector<std::string> known;
+  for (const reports::PlannedRun& run : plan.runs) AddOnce(reports::KeyOf(run, key), known);
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  ThrowError(StrCat(plan.file.string(), ", ", key), StrCat("no \"", name, "\""),
+             OneOfKnown(name, known));
+}
+
+// Returns the folder of the first run in the plan that is selected, with this variant.
+std::string FolderOf(const reports::SuitePlan& plan, const OverlayFlags& flags,
+                     const std::string& variant) {
+  const std::string what = StrCat(flags.sequence, ", ", variant);
+  for (const reports::PlannedRun& run : plan.runs) {
+    if (reports::KeyOf(run, "sequence") != flags.sequence) continue;
+    if (run.system || reports::KeyOf(run, "variant") != variant) continue;
+    if (flags.seed && run.seed != *flags.seed) continue;
+    if (run.job.empty()) ThrowError(what, run.missing, "a sequence that exists");
+    const fs::path folder = fs::path(flags.suite) / "jobs" / run.job;
+    if (fs::exists(folder / "result.json")) return folder.string();
+    ThrowError(folder.string(), "no result", StrCat("that of ", what, ", seed ", run.seed));
+  }
+  ThrowError(plan.file.string(),
+             StrCat("no run of ", what, flags.seed ? StrCat(", seed ", *flags.seed) : ""), "one");
+}
+
+// Returns the folders of the selected runs of a suite, in the order of the variants.
+std::vector<std::string> SuiteRunFolders(const OverlayFlags& flags) {
+  const reports::SuitePlan plan = reports::ReadPlan(fs::path(flags.suite) / "plan.json");
+  CheckName(plan, "sequence", flags.sequence);
+  std::vector<std::string> folders;
+  std::istringstream variants(flags.variants + ",");
+  for (std::string variant; std::getline(variants, variant, ',');) {
+    CheckName(plan, "variant", variant);
+    folders.push_back(FolderOf(plan, flags, variant));
+  }
+  return folders;
 }
 
 // The selected frames of the first run that all other runs have, too.
@@ -81,47 +137,160 @@ std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
   return titles;
 }
 
+std::string ImageName(int frame) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "%06d.png", frame);
+  return name.data();
+}
+
+double FramesPerSecond(const reports::OverlayRun& run, const std::vector<int>& frames) {
+  if (frames.size() < 2) return 10.0;
+  const double span_s =
+      reports::FrameOf(run, frames.back()).time_s - reports::FrameOf(run, frames.front()).time_s;
+  const double rate = static_cast<double>(frames.size() - 1) / std::max(span_s, 1e-3);
+  return std::clamp(std::round(1000.0 * rate) / 1000.0, 1.0, 60.0);
+}
+
+// Draws frames of one run, or of several side by side, and writes the files.
+class OverlayWriter {
+ public:
+  OverlayWriter(const OverlayFlags& flags, const std::vector<std::string>& folders);
+
+  // Returns the exit code.
+  int WriteAll();
+
+ private:
+  bool wide() const { return camera_.width_px > 2 * camera_.height_px; }
+  // All runs side by side, or one below the other if they are wide; each is `width_px` wide.
+  cv::Mat Draw(const cv::Mat& image, int frame, int width_px) const;
+  void WriteFrame(int frame, const fs::path& folder);
+  void Finish(const fs::path& folder);
+
+  const OverlayFlags& flags_;
+  std::vector<fs::path> read_;  // folders of the runs
+  std::vector<reports::OverlayRun> runs_;
+  std::vector<std::string> titles_;
+  bool inferred_ = false;
+  reports::CameraInfo camera_;
+  std::vector<int> frames_;
+  std::optional<RunImages> images_;
+  std::vector<int> on_sheet_;
+  std::vector<cv::Mat> tiles_;
+  std::optional<ScratchFolder> work_;
+  std::optional<reports::VideoFile> video_;
+};
+
+OverlayWriter::OverlayWriter(const OverlayFlags& flags, const std::vector<std::string>& folders)
+    : flags_(flags),
+      inferred_(flags.labels.empty() ? folders.size() > 1 : flags.labels == "inferred") {
+  for (const std::string& folder : folders) {
+    read_.insert(read_.end(), {folder, fs::path(folder) / "clusters"});
+    runs_.push_back(reports::ReadOverlayRun(
+        folder, inferred_ ? reports::LandmarkLabel::kInferred : reports::LandmarkLabel::kCluster));
+    for (const std::string& line : runs_.back().missing) {
+      std::cerr << "clustervo: drawn " << line << '\n';
+    }
+  }
+  CheckSameSequence(runs_, folders);
+  titles_ = Titles(runs_, folders);
+  camera_ = runs_.front().sequence.camera;
+  frames_ = SelectFrames(flags, runs_);
+  const std::string images_folder = flags.suite.empty() ? flags.sequence : "";
+  images_.emplace(runs_.front(), images_folder);
+  for (reports::OverlayRun& run : runs_) {
+    if (run.sequence.detections == 0 || AddDetections(images_folder, run)) continue;
+    std::cerr << "clustervo: note: the run's detection file was not found, so no detections are "
+                 "drawn\n";
+  }
+  const std::size_t most = runs_.size() > 1 ? 8 : wide() ? 20 : 24;
+  for (const std::size_t i : reports::EvenlySpaced(frames_.size(), flags.sheet ? most : 0)) {
+    on_sheet_.push_back(frames_[i]);
+  }
+}
+
+cv::Mat OverlayWriter::Draw(const cv::Mat& image, int frame, int width_px) const {
+  reports::OverlayStyle style = reports::StyleFor(camera_, width_px);
+  style.inset = style.inset && !flags_.no_inset && !inferred_;
+  style.boxes = !inferred_;
+  style.wrong = inferred_;
+  std::vector<cv::Mat> pictures;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    reports::OverlayFrame drawn = reports::FrameOf(runs_[i], frame);
+    if (runs_.size() > 1) drawn.run = titles_[i];
+    pictures.push_back(reports::DrawOverlay(image, drawn, camera_, style));
+  }
+  return reports::Grid(pictures, wide() ? 1 : static_cast<int>(pictures.size()));
+}
+
+void OverlayWriter::WriteFrame(int frame, const fs::path& folder) {
+  cv::Mat image = images_->Left(frame);
+  if (image.empty()) image = cv::Mat::zeros(camera_.height_px, camera_.width_px, CV_8UC1);
+  const int width_px = std::max(1, static_cast<int>(std::lround(flags_.scale * camera_.width_px)));
+  const cv::Mat picture = Draw(image, frame, width_px);
+  if (!flags_.no_images) {
+    WriteFilesAtomically(folder, {{ImageName(frame), reports::PngBytes(picture)}});
+  }
+  if (flags_.video) {
+    if (!video_) {
+      video_.emplace(work_.emplace().path() / "video", picture.size(),
+                     FramesPerSecond(runs_.front(), frames_));
+    }
+    video_->Add(picture);
+  }
+  if (std::find(on_sheet_.begin(), on_sheet_.end(), frame) == on_sheet_.end()) return;
+  tiles_.push_back(Draw(image, frame, std::min(wide() ? 800 : 480, camera_.width_px)));
+}
+
+void OverlayWriter::Finish(const fs::path& folder) {
+  const auto path = [&](const std::string& name) { return (folder / name).string(); };
+  if (!flags_.no_images) {
+    std::cout << "written: " << path(ImageName(frames_.front()));
+    if (frames_.size() > 1) {
+      std::cout << " to " << ImageName(frames_.back()) << " (" << frames_.size() << " images)";
+    }
+    std::cout << '\n';
+  }
+  if (flags_.sheet) {
+    const cv::Mat sheet = reports::Grid(tiles_, wide() ? 2 : runs_.size() > 1 ? 1 : 4);
+    WriteFilesAtomically(folder, {{kSheet, reports::PngBytes(sheet)}});
+    std::cout << "written: " << path(kSheet) << " (" << tiles_.size() << " frames)\n";
+  }
+  if (!video_) return;
+  video_->Close();
+  const std::string name = video_->path().filename().string();
+  WriteFilesAtomically(folder, {{name, ReadFileBytes(video_->path())}});
+  std::cout << "written: " << path(name) << " (" << video_->format() << ", "
+            << FrameRateText(FramesPerSecond(runs_.front(), frames_)) << ")\n";
+}
+
+int OverlayWriter::WriteAll() {
+  std::vector<std::string> names;
+  for (const int frame : frames_) {
+    if (!flags_.no_images) names.push_back(ImageName(frame));
+  }
+  if (flags_.sheet) names.emplace_back(kSheet);
+  const OutputFolder output = OpenOutput(flags_.output, names, read_);
+  {
+    const StopSignal stop;
+    Progress progress(frames_.size(), flags_.quiet);
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+      WriteFrame(frames_[i], output.path());
+      progress.Report(i + 1);
+      if (!stop.Requested()) continue;
+      std::cerr << "clustervo: stopped after " << i + 1 << " of " << frames_.size() << " frames\n";
+      return kStopped;
+    }
+  }
+  Finish(output.path());
+  return 0;
+}
+
 }  // namespace
 
 int DrawOverlays(const OverlayFlags& flags) {
   const std::vector<std::string> folders =
-      flags.suite.empty()
-          ? flags.runs
-          : SuiteRunFolders({flags.suite, flags.sequence, flags.variants, flags.seed});
-  const std::string images_folder = flags.suite.empty() ? flags.sequence : "";
-  const bool inferred = flags.labels.empty() ? folders.size() > 1 : flags.labels == "inferred";
-  if (flags.panels && folders.size() > 1) throw UsageError("--panels needs exactly one run");
-  OverlayJob job;
-  for (const std::string& folder : folders) {
-    job.read.insert(job.read.end(), {folder, std::filesystem::path(folder) / "clusters"});
-    job.runs.push_back(reports::ReadOverlayRun(
-        folder, inferred ? reports::LandmarkLabel::kInferred : reports::LandmarkLabel::kCluster));
-    for (const std::string& line : job.runs.back().missing) {
-      std::cerr << "clustervo: " << line << '\n';
-    }
-  }
-  CheckSameSequence(job.runs, folders);
-  reports::AgreeOnColors(job.runs);
-  job.titles = Titles(job.runs, folders);
-  job.boxes = !inferred;
-  job.frames = SelectFrames(flags, job.runs);
-  job.scale = flags.scale;
-  job.output = flags.output;
-  job.images = !flags.no_images;
-  job.inset = !flags.no_inset;
-  job.panels = flags.panels;
-  job.sheet = flags.sheet;
-  job.video = flags.video;
-  job.quiet = flags.quiet;
-  const RunImages images(job.runs.front(), images_folder);
-  for (reports::OverlayRun& run : job.runs) {
-    if (AdoptDetections(FindDetections(images_folder, run), run)) continue;
-    if (run.sequence.detections == 0) continue;
-    std::cerr << "clustervo: note: the run's detection file was not found or is of another camera, "
-                 "so only detections that were assigned to a cluster are drawn\n";
-  }
-  job.inset_corner = reports::EmptiestCorner(job.runs.front());
-  return WriteOverlays(job, images);
+      flags.suite.empty() ? flags.runs : SuiteRunFolders(flags);
+  return OverlayWriter(flags, folders).WriteAll();
 }
 
 namespace {
@@ -175,9 +344,6 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
   app.add_flag("--video", flags.video,
                "also write DIR/video.mp4, or .webm or .avi if OpenCV cannot write MP4");
   app.add_flag("--no-images", flags.no_images, "write only the sheet or video, no image per frame");
-  app.add_flag("--panels", flags.panels,
-               "with --frame N and one run: write DIR/panels.jpg instead, four views of the frame: "
-               "landmarks, boxes and tracks, bird's-eye view, and errors over time");
   app.add_flag("--no-inset", flags.no_inset, "omit the bird's-eye view in the corner");
   AddQuiet(app, flags.quiet);
 }
@@ -192,25 +358,19 @@ Command AddOverlayCommand(CLI::App& program) {
   AddDrawingFlags(*app, *flags);
   app->footer(
       "Landmarks are drawn if the run has landmarks.csv (clustervo run --landmarks; in a suite, "
-      "the\nfirst seed). A cluster id has the same colour in all frames; with several runs, the "
-      "colours\nare those of the last run. Up to 16 clusters that exist at the same time "
-      "have\ndifferent colours. Dashed and shaded: clusters with too few landmarks in the frame, "
-      "drawn at\ntheir predicted pose. White rings (inferred labels): wrong labels, if the run has "
-      "ground truth.\nPictures at least 600 pixels wide have a legend and a bird's-eye view, "
-      "placed in the corner\nwith the fewest bodies.\n"
+      "the\nfirst seed): in the colour of their cluster, which its id determines; small and grey: "
+      "static;\nwhite points: outliers. White rectangles: detections. Coloured boxes: clusters in "
+      "3D, each with\nits path in the last two seconds; dashed: at the predicted pose, with too "
+      "few "
+      "landmarks in the\nframe. White rings (inferred labels): wrong labels, if the run has ground "
+      "truth. Pictures at\nleast 600 pixels wide have a bird's-eye view of the bodies.\n"
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
-      "  clustervo overlay results/indoor_1 -o pictures --frame 60 --panels\n"
       "  clustervo overlay RUN_2D RUN_2D3D RUN_FULL --frame 120 -o figure   # as labelled by each\n"
       "  clustervo overlay --suite results/ablation --sequence room_1000 --variant 2d,2d3d,full "
       "\\\n"
       "      --frame 40 -o figure");
   app->callback([flags] {
-    if (flags->panels && flags->frame < 0) throw CLI::RequiredError("--panels: --frame N");
-    if (flags->panels && (flags->sheet || flags->video)) {
-      throw CLI::ValidationError("--panels",
-                                 "draws one frame and cannot be combined with --sheet or --video");
-    }
     if (flags->runs.empty() && flags->suite.empty()) throw CLI::RequiredError("RUN or --suite");
     if (!flags->suite.empty() && flags->sequence.empty()) {
       throw CLI::RequiredError("--suite: --sequence NAME");

@@ -25,7 +25,6 @@ struct OverlayFlags {
   bool video = false;
   bool no_images = false;
   bool no_inset = false;
-  bool panels = false;
   bool quiet = false;
 };
 

@@ -7,11 +7,32 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cli/pictures/plot_input.h"
 #include "experiments/metrics/alignment.h"
-#include "reports/figures/trajectory_plot.h"
+#include "experiments/metrics/trajectory.h"
+#include "reports/runs/run_detail.h"
 
 namespace cvo {
+
+// A trajectory file, or the camera trajectory of a run.
+struct PlotInput {
+  std::string path;
+  std::string name;                         // stem of the file's name, or variant of the run
+  std::string sequence;                     // runs only
+  Trajectory poses;                         // row i of a KITTI file is at time i s
+  bool timed = true;                        // false for a KITTI file
+  bool camera_axes = false;                 // y is known to point down: runs and KITTI files
+  Trajectory truth;                         // runs only, in the world of the run; may be empty
+  std::vector<reports::BodyDetail> bodies;  // runs only
+};
+
+// Reads a trajectory. A folder is a run; a file with commas is in EuRoC's format, one with 8
+// columns in TUM's and one with 12 in KITTI's. Throws Error naming the file, the line and what was
+// expected.
+PlotInput ReadPlotInput(const std::string& path);
+
+// Makes the names unique and the times comparable: if one of the inputs is a KITTI file, all poses
+// are matched by their position in the file, and Error is thrown if the numbers of poses differ.
+void MakeComparable(std::vector<PlotInput>& inputs);
 
 // The trajectory that others are aligned with and compared to.
 struct PlotReference {
@@ -27,30 +48,26 @@ std::optional<PlotReference> ReferenceAmong(const std::vector<PlotInput>& inputs
 
 struct PlotMatching {
   TrajectoryAlignment alignment = TrajectoryAlignment::kSe3;
-  reports::Vertical vertical = reports::Vertical::kYDown;
+  bool z_up = false;  // of the world; otherwise y points down
   std::int64_t tolerance_ns = 0;
 };
 
-// A trajectory and, if it was compared to a reference, its errors.
-struct MatchedTrack {
-  reports::PlottedTrack track;
-  std::size_t matched = 0;  // number of matched poses; 0: not compared
+// A trajectory as it is drawn and, if it was compared to a reference, its errors.
+struct PlotTrack {
+  std::string name;
+  Trajectory poses = {};             // aligned with the reference
+  std::size_t matched = 0;           // number of matched poses; 0: not compared
+  std::vector<double> times_s = {};  // of the matched poses
+  std::vector<double> errors_m = {};
+  std::vector<double> errors_deg = {};
   double scale = 1.0;
-  double rms_m = 0.0;
-  double mean_m = 0.0;
-  double most_m = 0.0;
-  double rms_deg = 0.0;
 };
 
-// Returns a trajectory as it is, without alignment and errors.
-MatchedTrack TrackOf(const std::string& name, const Trajectory& poses);
 // Aligns a trajectory with the reference and computes its errors. Throws Error if fewer than two
 // poses match.
-MatchedTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
-                        const PlotMatching& matching);
+PlotTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
+                     const PlotMatching& matching);
 
-// Returns the moving bodies of a run, each from the first to the last frame in which it is visible,
-// in the world of the run.
-std::vector<reports::PlottedBody> MovingBodies(const PlotInput& run);
+double Seconds(std::int64_t time_ns);
 
 }  // namespace cvo

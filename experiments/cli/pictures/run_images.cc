@@ -4,10 +4,9 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "core/base/error.h"
-#include "experiments/datasets/load_image.h"
+#include "experiments/datasets/images.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/frame_detections.h"
 
@@ -28,38 +27,17 @@ SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& fol
   return request;
 }
 
-std::filesystem::path LabelsOf(const reports::OverlayRun& run, const std::filesystem::path& given) {
-  return given.empty() ? std::filesystem::path(run.detail.paths.labels.value_or("")) : given;
-}
-
-// Candidate sources of the run's boxes: `given` if it names a file, otherwise the file that the run
-// says it read, then whatever its folder may contain.
-std::vector<BoxSources> SourcesOf(const reports::OverlayRun& run, const BoxSources& given) {
-  if (!given.detections.empty()) return {given};
-  const reports::RunPaths& paths = run.detail.paths;
+// Candidate sources of the run's boxes: the file that the run says it read, then whatever its
+// folder may contain.
+std::vector<BoxSources> SourcesOf(const reports::RunPaths& paths) {
+  const std::string labels = paths.labels.value_or("");
   std::vector<BoxSources> sources;
   if (paths.detections) {
-    sources.push_back({LabelsOf(run, given.labels), *paths.detections,
-                       paths.detections_camera.value_or(given.detections_camera),
-                       paths.min_score.value_or(given.min_score)});
+    sources.push_back({labels, *paths.detections, paths.detections_camera.value_or(-1),
+                       paths.min_score.value_or(BoxSources().min_score)});
   }
-  for (const char* name : kDetections) {
-    sources.push_back({given.labels, name, given.detections_camera, given.min_score});
-  }
+  for (const char* name : kDetections) sources.push_back({labels, name});
   return sources;
-}
-
-// Returns the box of a detection, with the cluster that it was associated with, if any.
-reports::PixelBox WithCluster(const ImageBox& box,
-                              const std::map<int, std::vector<reports::PixelBox>>& associated,
-                              int frame) {
-  reports::PixelBox drawn{box.left_px, box.top_px, box.right_px, box.bottom_px};
-  const auto boxes = associated.find(frame);
-  if (boxes == associated.end()) return drawn;
-  for (const reports::PixelBox& known : boxes->second) {
-    if (known.IsAt(drawn)) drawn.cluster = known.cluster;
-  }
-  return drawn;
 }
 
 Sequence OpenImages(const reports::OverlayRun& run, const std::string& folder) {
@@ -97,38 +75,20 @@ cv::Mat RunImages::Left(int frame) const {
   return LoadFrameImage(sequence_, index, 0).grey;
 }
 
-std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
-                                       const BoxSources& given) {
-  for (const BoxSources& source : SourcesOf(run, given)) {
+std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run) {
+  for (const BoxSources& source : SourcesOf(run.detail.paths)) {
     SequenceRequest request = RequestOf(run, folder);
     request.detections_file = source.detections;
     request.detections_camera = source.detections_camera;
     request.min_score = source.min_score;
     request.labels_file = source.labels;
-    std::optional<Sequence> sequence;
     try {
-      sequence = OpenSequence(request);
-    } catch (const Error&) {
-      if (!given.detections.empty()) throw;
-      continue;  // the folder lacks this level, or files have moved
+      Sequence sequence = OpenSequence(request);
+      if (DetectionsHash(sequence) == run.sequence.detections_hash) return sequence;
+    } catch (const Error&) {  // the folder lacks this level, or files have moved
     }
-    if (DetectionsHash(*sequence) == run.sequence.detections_hash) return sequence;
   }
-  if (given.detections.empty()) return std::nullopt;
-  ThrowError("--detections " + given.detections.string(), "boxes other than those of the run",
-             "the run's boxes, with its --detections-camera and --min-score");
-}
-
-std::optional<Sequence> FindLabelled(const std::string& folder, const reports::OverlayRun& run,
-                                     const std::filesystem::path& labels_file) {
-  SequenceRequest request = RequestOf(run, folder);
-  if (request.folder.empty()) return std::nullopt;
-  request.labels_file = LabelsOf(run, labels_file);
-  try {
-    return OpenSequence(request);
-  } catch (const Error&) {
-    return std::nullopt;  // callers that need it report this themselves
-  }
+  return std::nullopt;
 }
 
 std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
@@ -141,16 +101,15 @@ std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
   return detections;
 }
 
-bool AdoptDetections(const std::optional<Sequence>& sequence, reports::OverlayRun& run) {
-  // The run moved boxes of another camera by the depth of the features in them, which is not known
-  // here.
-  if (!sequence || sequence->detections_offset_m != 0.0) return false;
-  const auto associated = std::exchange(run.detections, {});
+bool AddDetections(const std::string& folder, reports::OverlayRun& run) {
+  const std::optional<Sequence> sequence = FindDetections(folder, run);
+  if (!sequence) return false;
   const auto frames = DetectionsOf(*sequence, run.classes);
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const int frame = sequence->first_frame + static_cast<int>(i);
     for (const Detection& detection : frames[i]) {
-      run.detections[frame].push_back(WithCluster(detection.box, associated, frame));
+      const ImageBox& box = detection.box;
+      run.detections[sequence->first_frame + static_cast<int>(i)].push_back(
+          {box.left_px, box.top_px, box.right_px, box.bottom_px});
     }
   }
   return true;

@@ -29,24 +29,17 @@ class RunImages {
   Sequence sequence_;
 };
 
-// Opens the sequence of a run with the detections that the run was given: those of the file
-// `given`, otherwise those of the file that the run read, of a detector level of the scene or of
-// the labels, whichever has the hash in the result. Empty if none of them has. Throws Error if a
-// file is given and has other detections.
-std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run,
-                                       const BoxSources& given = {});
+// Opens the sequence of a run, in `folder` or, if that is empty, where the run found it, with the
+// detections that the run was given: those of the file that the run read, of a detector level of
+// the scene or of the labels, whichever has the hash in the result. Empty if none of them has.
+std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run);
 
-// Opens the sequence of a run with its ground truth, without detections. Empty if it cannot be
-// read.
-std::optional<Sequence> FindLabelled(const std::string& folder, const reports::OverlayRun& run,
-                                     const std::filesystem::path& labels_file);
-
-// Returns the detections of these classes, by frame.
+// Returns the detections of these classes, by frame. Boxes of another camera stay where they were
+// detected, since the depth by which the run moved them is not known.
 std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
                                                  const std::vector<std::string>& classes);
 
-// Replaces the detections of the run, which are only those associated with a cluster, by all that
-// FindDetections found. Returns false if there are none or if they are of another camera.
-bool AdoptDetections(const std::optional<Sequence>& sequence, reports::OverlayRun& run);
+// Adds the detections that FindDetections finds to the run. Returns false if it finds none.
+bool AddDetections(const std::string& folder, reports::OverlayRun& run);
 
 }  // namespace cvo

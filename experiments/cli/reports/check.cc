@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -9,8 +8,6 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "reports/gate/check_runs.h"
-#include "reports/gate/gate_text.h"
-#include "reports/gate/make_baseline.h"
 
 namespace cvo {
 namespace {
@@ -25,8 +22,6 @@ struct CheckFlags {
   std::string junit;
   std::string markdown;
   bool exact = false;
-  bool gate_time = false;
-  std::string in_place_of;
 };
 
 std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
@@ -44,20 +39,6 @@ int WriteBaseline(const CheckFlags& flags) {
   return 0;
 }
 
-// Checks which losses the gate would miss: each variant of the folder takes the place of the given
-// variant of the baseline.
-int CheckPower(const CheckFlags& flags) {
-  const std::vector<reports::LostPart> parts = reports::CheckInPlaceOf(
-      flags.in_place_of, flags.folder, reports::ReadBaseline(flags.baseline), flags.exact);
-  std::cout << reports::PowerText(parts);
-  const auto unnoticed =
-      std::count_if(parts.begin(), parts.end(), [&](const reports::LostPart& part) {
-        return part.variant != flags.in_place_of && !part.report.Failed();
-      });
-  std::cout << '\n' << unnoticed << " not noticed\n";
-  return unnoticed > 0 ? kRegressed : 0;
-}
-
 int Check(const CheckFlags& flags) {
   for (const std::string& file : {flags.junit, flags.markdown}) {
     if (!file.empty()) CheckOutputFile(file, ReadBy(flags));
@@ -68,9 +49,8 @@ int Check(const CheckFlags& flags) {
   if (!flags.markdown.empty())
     WriteOutputFile(flags.markdown, reports::GateMarkdown(report), ReadBy(flags));
   std::cout << reports::GateText(report);
-  const bool slower = flags.gate_time && report.Slower() && !report.Failed();
-  std::cout << '\n' << (slower ? "slower" : reports::GateVerdict(report)) << '\n';
-  return slower || report.Failed() ? kRegressed : 0;
+  std::cout << '\n' << reports::GateVerdict(report) << '\n';
+  return report.Failed() ? kRegressed : 0;
 }
 
 }  // namespace
@@ -97,28 +77,18 @@ Command AddCheckCommand(CLI::App& program) {
                 "also fail the check if any value differs from the baseline, better or worse; not "
                 "applied if compiler, libraries or level of the processor are not the baseline's")
       ->needs(check);
-  app->add_flag("--gate-time", flags->gate_time, "also fail the check if a variant is slower")
-      ->needs(check);
-  add("--in-place-of", flags->in_place_of, "VARIANT",
-      "compare every variant of DIR with this variant of the baseline, to see which losses the "
-      "gate would notice")
-      ->needs(check);
   check->excludes(write);
   app->footer(
       "Runs are paired by scene and seed. A variant regresses in a metric if its mean difference "
-      "is\nworse by more than a tolerance: three standard errors of the differences, and at least "
-      "the\nspread between seeds, chosen so that noise alone fails one check in a hundred.\nExit "
-      "code 1 on a regression, or if a job or a metric of the baseline is missing, failed or "
-      "is\ndefined differently. Times are relative to the variant static and only cause warnings.\n"
+      "is\nworse than noise between seeds fails one check in a hundred.\nExit code 1 on a "
+      "regression, or if a job or a metric of the baseline is missing, failed or is\ndefined "
+      "differently. Times are relative to the variant static and only cause warnings.\n"
       "Example: clustervo check results/ci --baseline reports/baselines/ci.json");
   app->callback([flags] {
     if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;
     throw CLI::RequiredError("--baseline or --write-baseline");
   });
-  return {app, [flags] {
-            if (flags->baseline.empty()) return WriteBaseline(*flags);
-            return flags->in_place_of.empty() ? Check(*flags) : CheckPower(*flags);
-          }};
+  return {app, [flags] { return flags->baseline.empty() ? WriteBaseline(*flags) : Check(*flags); }};
 }
 
 }  // namespace cvo

@@ -10,9 +10,13 @@
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/output_place.h"
+#include "experiments/cli/reports/suite_table.h"
 #include "experiments/cli/run/text_table.h"
 #include "reports/results/metric_catalogue.h"
 #include "reports/runs/run_comparison.h"
+#include "reports/tables/make_table.h"
+#include "reports/tables/table_texts.h"
 
 namespace cvo {
 namespace {
@@ -21,10 +25,11 @@ namespace fs = std::filesystem;
 using reports::PairedComparison;
 using reports::RunComparison;
 
-struct CompareRunsFlags {
-  std::vector<std::string> runs;
+struct CompareFlags {
+  std::vector<std::string> folders;
   bool all = false;
   bool json = false;
+  TableFormat format;
 };
 
 std::string Signed(double value) { return FormatSigned(value, 3); }
@@ -148,17 +153,14 @@ void PrintComparison(const RunComparison& comparison, bool all) {
   for (const std::string& note : comparison.notes) std::cout << "not compared: " << note << '\n';
 }
 
-int CompareSomeRuns(const CompareRunsFlags& flags) {
+int CompareSomeRuns(const CompareFlags& flags) {
   constexpr std::size_t kMost = 20;
-  if (flags.runs.size() > kMost) {
-    throw UsageError(StrCat("RUN: found ", flags.runs.size(), " runs, expected at most ", kMost));
+  if (flags.folders.size() > kMost) {
+    throw UsageError(
+        StrCat("DIR: found ", flags.folders.size(), " runs, expected at most ", kMost));
   }
-  for (const std::string& run : flags.runs) {
-    if (fs::exists(fs::path(run) / "result.json")) continue;
-    ThrowError(run, fs::exists(fs::path(run) / "plan.json") ? "a suite's folder" : "no result.json",
-               "the output folder of a run (for suites: clustervo experiment compare)");
-  }
-  const RunComparison comparison = reports::CompareRuns({flags.runs.begin(), flags.runs.end()});
+  const RunComparison comparison =
+      reports::CompareRuns({flags.folders.begin(), flags.folders.end()});
   if (flags.json) {
     std::cout << FileText(comparison);
   } else {
@@ -167,25 +169,74 @@ int CompareSomeRuns(const CompareRunsFlags& flags) {
   return 0;
 }
 
+int CompareTwoSuites(const CompareFlags& flags) {
+  if (flags.folders.size() != 2) {
+    throw UsageError(StrCat("DIR: found ", flags.folders.size(), " suites, expected 2"));
+  }
+  const fs::path before = flags.folders[0];
+  const fs::path after = flags.folders[1];
+  const reports::Table table = reports::CompareFolders(before, after);
+  OutputTable(table, flags.format, {before / "plan.json", after / "plan.json"},
+              "\n" + reports::MovedText(table));
+  return 0;
+}
+
+bool IsSuite(const fs::path& folder) {
+  if (fs::exists(folder / "plan.json")) return true;
+  if (fs::exists(folder / "result.json")) return false;
+  CheckNoCollection(folder);
+  ThrowError(folder.string(), "no result.json or plan.json",
+             "the output folder of a run or of a suite");
+}
+
+int Compare(const CLI::App& app, const CompareFlags& flags) {
+  const std::string& first = flags.folders.front();
+  const bool suites = IsSuite(first);
+  for (const std::string& folder : flags.folders) {
+    if (IsSuite(folder) == suites) continue;
+    throw UsageError(StrCat(folder, ": found the folder of a ", suites ? "run" : "suite",
+                            ", expected that of a ", suites ? "suite" : "run", ", as ", first));
+  }
+  if (suites) {
+    RefuseFlags(app, {"--all", "--json"}, "applies to runs, found suites");
+    return CompareTwoSuites(flags);
+  }
+  RefuseFlags(app, {"--format", "--output", "--long"}, "applies to suites, found runs");
+  return CompareSomeRuns(flags);
+}
+
 }  // namespace
 
-Command AddCompareCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "compare", "Compare runs on one sequence: metrics, and errors paired by frame and by body");
-  const auto flags = std::make_shared<CompareRunsFlags>();
-  app->add_option("RUN", flags->runs,
-                  "output folders of clustervo run or eval, or DIR/jobs/ID of a suite; the first "
-                  "is the reference")
+Command AddExperimentCompareCommand(CLI::App& experiment) {
+  CLI::App* app = experiment.add_subcommand(
+      "compare",
+      "Compare two suites over their common runs, or runs on one sequence by frame and by body");
+  const auto flags = std::make_shared<CompareFlags>();
+  app->add_option("DIR", flags->folders,
+                  "output folders of two suites, the earlier first; or of runs (of clustervo run "
+                  "or eval, or DIR/jobs/ID of a suite), the first of which is the reference")
       ->type_name("")
       ->required()
       ->expected(-2);
-  app->add_flag("--all", flags->all, "also print causal metrics and the metrics of static bodies");
-  app->add_flag("--json", flags->json, "print JSON, with all metrics, pairs and intervals");
+  app->add_flag("--all", flags->all,
+                "runs: also print causal metrics and the metrics of static bodies");
+  app->add_flag("--json", flags->json, "runs: print JSON, with all metrics, pairs and intervals");
+  flags->format.AddTo(*app);
+  for (const char* flag : {"--format", "--output", "--long"}) {
+    CLI::Option* option = app->get_option(flag);
+    option->description("suites: " + option->get_description());
+  }
   app->footer(
-      "Intervals cover the frames or bodies of this sequence only. To draw conclusions about "
-      "other\nscenes, run a suite (clustervo experiment).\n"
-      "Example: clustervo compare results/room_static results/room_full");
-  return {app, [flags] { return CompareSomeRuns(*flags); }};
+      "Suites: the output starts with the options, builds and variants in which they differ. Rows, "
+      "scenes,\nseeds and bodies are paired; differences are B - A. Results that define the same "
+      "metric\ndifferently are rejected.\n"
+      "Runs: intervals cover the frames or bodies of this sequence only. To draw conclusions about "
+      "other\nscenes, run a suite.\n"
+      "Examples:\n"
+      "  clustervo experiment compare results/before results/after\n"
+      "  clustervo experiment compare results/room_static results/room_full");
+  app->callback([flags] { flags->format.Check(); });
+  return {app, [app, flags] { return Compare(*app, *flags); }};
 }
 
 }  // namespace cvo

@@ -1,24 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/explain.h"
-
 #include <algorithm>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/files/json/json_record.h"
+#include "core/files/json/options_json.h"
 #include "core/files/text/closest_names.h"
-#include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
+#include "experiments/cli/pictures/run_images.h"
+#include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/text_table.h"
+#include "experiments/cli/scratch_folder.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/runner/oracle.h"
-#include "reports/overlays/body_sheet.h"
-#include "reports/overlays/encode.h"
-#include "reports/runs/body_words.h"
+#include "experiments/runner/run_job.h"
+#include "reports/chart/chart.h"
+#include "reports/results/run_summary.h"
+#include "reports/runs/body_story.h"
 
 namespace cvo {
 namespace {
@@ -30,7 +35,6 @@ struct ExplainFlags {
   std::string body;
   std::string output;
   std::string sequence;
-  BoxSources boxes;
   bool oracles = false;
   int threads = 1;
   bool quiet = false;
@@ -39,13 +43,12 @@ struct ExplainFlags {
 // Everything that is read from the run.
 struct ExplainedRun {
   reports::OverlayRun run;
-  reports::LandmarksByFrame landmarks;
   std::optional<Sequence> sequence;  // with the detections of the run
   std::map<int, reports::Detected> detected;
 
   reports::BodyStory Story(const reports::BodyDetail& body) const {
     const auto known = detected.find(body.id);
-    return reports::TellStory(run.detail, body, landmarks,
+    return reports::TellStory(run.detail, body, run.landmarks,
                               known == detected.end() ? reports::Detected() : known->second);
   }
 };
@@ -76,24 +79,6 @@ std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& s
   return detected;
 }
 
-// The true boxes of a body, by frame. Empty if its sequence or the true boxes are missing.
-std::map<int, reports::PixelBox> TrueBoxesOf(const ExplainFlags& flags, const ExplainedRun& read,
-                                             int body) {
-  std::map<int, reports::PixelBox> found;
-  const auto sequence = FindLabelled(flags.sequence, read.run, flags.boxes.labels);
-  const auto truth = sequence ? ReadBodyTruth(*sequence) : nullptr;
-  if (!truth) return found;
-  const TrueBoxes boxes = BoxesOfBodies(*sequence, *truth);
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    for (const auto& [id, box] : boxes[i]) {
-      if (id != body) continue;
-      found[sequence->first_frame + static_cast<int>(i)] = {box.left_px, box.top_px, box.right_px,
-                                                            box.bottom_px};
-    }
-  }
-  return found;
-}
-
 ExplainedRun ReadExplained(const ExplainFlags& flags) {
   const fs::path folder = flags.run;
   if (!fs::exists(folder / "result.json")) {
@@ -103,20 +88,18 @@ ExplainedRun ReadExplained(const ExplainFlags& flags) {
     ThrowError(flags.run, "no landmarks.csv", "a run with --landmarks");
   }
   ExplainedRun read;
-  read.landmarks = reports::ReadLabelledLandmarks(folder / "landmarks.csv");
   read.run = reports::ReadOverlayRun(folder, reports::LandmarkLabel::kCluster);
-  for (const std::string& line : read.run.missing) std::cerr << "clustervo: " << line << '\n';
+  if (!read.run.missing.empty()) throw Error(read.run.missing.front());
   if (read.run.detail.bodies.empty()) {
     ThrowError(flags.run, "no ground truth of bodies", "a run on a sequence that has it");
   }
-  read.sequence = FindDetections(flags.sequence, read.run, flags.boxes);
+  read.sequence = FindDetections(flags.sequence, read.run);
   // Boxes of another camera are a few pixels off, which does not change the body they are assigned
   // to.
   read.detected = DetectedBodies(read.sequence, read.run.classes);
-  AdoptDetections(read.sequence, read.run);
   if (!read.sequence && read.run.sequence.detections > 0) {
-    std::cerr << "clustervo: note: missed detections cannot be shown without the run's detection "
-                 "file: give --detections, --detections-camera and --min-score as in the run\n";
+    std::cerr << "clustervo: note: the run's detection file was not found, so missed detections "
+                 "cannot be told\n";
   }
   return read;
 }
@@ -151,6 +134,89 @@ void PrintBodies(const ExplainedRun& read) {
   table.Print(std::cout);
 }
 
+// Result for one body of a run that was given a part of the ground truth.
+struct OracleResult {
+  std::string oracle;  // "true boxes"
+  int judged = 0;
+  int estimated = 0;
+  int good = 0;  // error of at most reports::kGoodError_m
+  std::optional<double> ate_m;
+};
+
+Options OptionsOf(const reports::RunSummary& run, const VariantInfo& variant) {
+  Options options = variant.defaults();
+  MergeOptions(run.options, run.file.string() + ", options", OptionLeaves(options));
+  return options;
+}
+
+// The switch `name`, in addition to those that the run already had.
+OracleSwitches With(const char* name, const reports::RunSummary& run) {
+  OracleSwitches switches = ParseOracle(name);
+  for (const Json& given : run.given.value("oracle", Json::array())) {
+    const OracleSwitches more = ParseOracle(given.get<std::string>());
+    switches.boxes = switches.boxes || more.boxes;
+    switches.labels = switches.labels || more.labels;
+    switches.camera = switches.camera || more.camera;
+  }
+  return switches;
+}
+
+OracleResult ResultOf(const std::string& oracle, const reports::BodyDetail& body) {
+  OracleResult result;
+  result.oracle = oracle;
+  result.judged = static_cast<int>(body.visible.size());
+  result.estimated = static_cast<int>(body.estimated.size());
+  for (const reports::BodyPosition& position : body.estimated) {
+    result.good += position.error_m <= reports::kGoodError_m ? 1 : 0;
+  }
+  // The ATE of a single pose is zero by alignment.
+  if (body.estimated.size() > 1) {
+    result.ate_m = RootMeanSquare(body.estimated, &reports::BodyPosition::error_m);
+  }
+  return result;
+}
+
+// Repeats the run with true boxes, with true labels and with the true camera. Returns the results
+// for the body, one per repetition, or nothing if stopped. Throws Error for a run that cannot be
+// repeated.
+std::optional<std::vector<OracleResult>> TryOracles(const std::string& run_folder,
+                                                    const Sequence& sequence, int body, int threads,
+                                                    bool quiet) {
+  const reports::RunSummary run =
+      reports::ReadRun(std::filesystem::path(run_folder) / "result.json", {});
+  if (run.system) ThrowError(run_folder, "a run of another system", "one of clustervo run");
+  if (run.sequence.perturbation) {
+    ThrowError(run_folder, "a run with a perturbation", "one that --oracles can repeat, without");
+  }
+  const VariantInfo& variant = FindVariant(run.variant);
+  std::vector<OracleResult> results;
+  const StopSignal stop;
+  for (const char* name : {"boxes", "labels", "camera"}) {
+    RunRequest request = {.sequence = sequence,
+                          .variant = variant,
+                          .options = OptionsOf(run, variant),
+                          .seed = run.seed,
+                          .threads = threads,
+                          .oracle = With(name, run),
+                          .stop = [&stop] { return stop.Requested(); }};
+    if (run.given.contains("classes")) {
+      request.classes = FromJson<std::vector<std::string>>(run.given["classes"], run_folder);
+    }
+    if (!quiet) std::cerr << "clustervo: with true " << name << '\n';
+    Progress progress(sequence.images.size(), quiet);
+    request.progress = [&progress](std::size_t done) { progress.Report(done); };
+    const ScratchFolder folder;
+    const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
+    if (!outcome) return std::nullopt;
+    if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
+    const reports::RunDetail detail = reports::ReadRunDetail(folder.path());
+    const auto* judged = FindBy(detail.bodies, &reports::BodyDetail::id, body);
+    Require(judged != nullptr, "TryOracles: the body has truth");
+    results.push_back(ResultOf(StrCat("true ", name), *judged));
+  }
+  return results;
+}
+
 std::vector<std::string> OracleLines(const std::vector<OracleResult>& results) {
   std::vector<std::string> lines;
   const OracleResult* best = &results.front();
@@ -171,14 +237,40 @@ std::vector<std::string> OracleLines(const std::vector<OracleResult>& results) {
   return lines;
 }
 
-void PrintEvents(const reports::BodyStory& story, const std::vector<reports::BodyDetail>& bodies) {
-  for (const reports::BodyEvent& event : story.events) {
-    std::cout << "\nframe " << event.frame << ": " << event.what << '\n';
-    for (const std::string& line :
-         reports::FrameLines(story, reports::FrameOf(story, event.frame), bodies)) {
-      std::cout << "  " << line << '\n';
-    }
+// The position error over the frames, with the failed stages at the bottom and the events as
+// vertical lines.
+reports::Chart ErrorChart(const std::string& title, const reports::BodyStory& story) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  reports::Panel panel;
+  panel.title = title;
+  panel.x.title = "frame";
+  panel.y.title = "position error (cm)";
+  panel.y.from_zero = true;
+  panel.rules.push_back({100.0 * reports::kGoodError_m, false, "10 cm"});
+  for (const reports::BodyEvent& event : reports::EventsOf(story)) {
+    panel.rules.push_back({1.0 * event.frame, true, event.what});
   }
+  reports::Series error;
+  error.name = story.body.name;
+  for (const reports::BodyFrame& frame : story.frames) {
+    error.data.push_back({1.0 * frame.frame, frame.error_m ? 100.0 * *frame.error_m : kGap});
+  }
+  panel.series.push_back(std::move(error));
+  int colour = 2;
+  for (const reports::BodyStage stage : reports::kWrongStages) {
+    if (story.Count(stage) == 0) continue;
+    reports::Series failed;
+    failed.kind = reports::SeriesKind::kPoints;
+    failed.name = reports::StageName(stage);
+    failed.look = {colour++, reports::Symbol::kSquare};
+    for (const reports::BodyFrame& frame : story.frames) {
+      if (frame.stage == stage) failed.data.push_back({1.0 * frame.frame, 0.0});
+    }
+    panel.series.push_back(std::move(failed));
+  }
+  reports::Chart chart;
+  chart.panels.push_back(std::move(panel));
+  return chart;
 }
 
 int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
@@ -187,7 +279,7 @@ int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
   std::vector<std::string> lines = reports::StoryLines(story);
   if (flags.oracles) {
     if (!read.sequence) {
-      ThrowError("--oracles", "no detection file of the run", "--detections FILE");
+      ThrowError("--oracles", "no detection file of the run", "it where the run read it");
     }
     const auto results = TryOracles(flags.run, *read.sequence, body.id, flags.threads, flags.quiet);
     if (!results) return kStopped;
@@ -196,22 +288,23 @@ int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
     for (std::string& line : OracleLines(all)) lines.push_back(std::move(line));
   }
   for (const std::string& line : lines) std::cout << line << '\n';
-  PrintEvents(story, read.run.detail.bodies);
+  std::cout << '\n';
+  TextTable table({"frames", "stage", "error, cm", "detected", "landmarks at first", "events"});
+  for (const reports::TimelineRow& row : reports::TimelineOf(story, read.run.detail.bodies)) {
+    table.Add({row.frames, row.stage, row.error_cm, row.detected, row.landmarks, row.events});
+  }
+  table.Print(std::cout);
   if (flags.output.empty()) return 0;
-  const RunImages images(read.run, flags.sequence);
-  lines.front() = StrCat(read.run.sequence.name, ", ", read.run.variant, ": ", lines.front());
-  const cv::Mat sheet =
-      reports::BodySheet(read.run, story, lines, TrueBoxesOf(flags, read, body.id),
-                         [&](int frame) { return images.Left(frame); });
-  WriteOutputFile(flags.output, reports::PngBytes(sheet), {flags.run});
+  const std::string title = StrCat(read.run.sequence.name, ", ", read.run.variant, ": ", body.name);
+  WriteOutputFile(flags.output, reports::ChartSvg(ErrorChart(title, story)), {flags.run});
   std::cout << "\nwritten: " << flags.output << '\n';
   return 0;
 }
 
 int Explain(const ExplainFlags& flags) {
   if (!flags.output.empty()) {
-    if (fs::path(flags.output).extension() != ".png") {
-      throw UsageError(StrCat("-o ", flags.output, ": expected a name that ends in .png"));
+    if (fs::path(flags.output).extension() != ".svg") {
+      throw UsageError(StrCat("-o ", flags.output, ": expected a name that ends in .svg"));
     }
     CheckOutputFile(flags.output, {flags.run});
   }
@@ -236,22 +329,14 @@ Command AddExplainCommand(CLI::App& program) {
   CLI::Option* body = add("BODY", flags->body, "",
                           "name or number of a ground-truth body; default: list all bodies");
   add("-o,--output", flags->output, "FILE",
-      "also write a PNG: a timeline of the failed stage in each frame, and image crops of the "
-      "frames in which the body was found, lost, merged or worst estimated")
+      "also write a chart (SVG) of the position error over the frames, with the failed stages and "
+      "the frames in which the body was found, lost, merged or worst estimated")
       ->needs(body);
   app->add_flag("--oracles", flags->oracles,
                 "rerun the sequence with true boxes, true labels and the true camera in turn, and "
                 "report which of them repairs the body")
       ->needs(body);
   add("--sequence", flags->sequence, "FOLDER", "folder of the images, if they have moved since");
-  add("--detections", flags->boxes.detections, "FILE",
-      "detection file of the run, if it is not in the sequence's folder");
-  add("--detections-camera", flags->boxes.detections_camera, "X",
-      "camera (image_0X) in which these were detected");
-  add("--min-score", flags->boxes.min_score, "SCORE", "--min-score of the run")
-      ->check(FiniteProblem);
-  add("--labels", flags->boxes.labels, "FILE",
-      "label file of the run, if it is not in the sequence's folder");
   AddThreads(*app, flags->threads);
   AddQuiet(*app, flags->quiet);
   app->footer(
@@ -260,7 +345,7 @@ Command AddExplainCommand(CLI::App& program) {
       "landmarks are right).\nIn every judged frame, the first stage that applies is counted.\n"
       "Examples:\n"
       "  clustervo explain results/indoor_1\n"
-      "  clustervo explain results/indoor_1 ball_1 -o ball_1.png --oracles");
+      "  clustervo explain results/indoor_1 ball_1 -o ball_1.svg --oracles");
   return {app, [flags] { return Explain(*flags); }};
 }
 

@@ -2,21 +2,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include "experiments/cli/reports/table_format.h"
+#include "reports/tables/make_table.h"
 
 namespace cvo {
 
+// How a table is printed, and where.
+struct TableFormat {
+  std::string format = "terminal";
+  std::string output;   // a file; empty: standard output
+  bool longer = false;  // CSV: one record per cell
+
+  // Adds --format, --output and --long.
+  void AddTo(CLI::App& app);
+  // Throws a command-line error if the flags do not go together.
+  void Check() const;
+};
+
+// Prints the table, or writes it to its file, which must not be one of `read`, and reports the
+// file's name. `after`: text that follows the table in the terminal format.
+void OutputTable(const reports::Table& table, const TableFormat& format,
+                 const std::vector<std::filesystem::path>& read, std::string after = "");
+
 // The default values of the estimator's options, as nested JSON.
 std::string DefaultOptions();
-
-// Makes and prints the table of a suite's output folder. In the terminal format, also writes
-// table.json and table.md there, unless `compared_with` names another reference row than the
-// suite's (see MakeTable). Returns 0 if all jobs that can run have run, 1 if some failed or have
-// not run yet. Throws Error if there is no plan.
-int OutputSuiteTable(const std::filesystem::path& folder, const TableFormat& format,
-                     const std::string& compared_with = "");
 
 }  // namespace cvo

@@ -7,7 +7,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "core/base/error.h"
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "core/files/json/json_record.h"
 #include "core/files/sha256.h"
 #include "core/files/text/number.h"

@@ -1,33 +1,55 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+// clustervo eval trajectory and eval clock: trajectories of any system against a file or a
+// sequence.
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/json/json.h"
+#include "core/files/text/number.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/run/eval_boxes.h"
-#include "experiments/cli/run/eval_clock.h"
-#include "experiments/cli/run/eval_sequence.h"
+#include "experiments/cli/output_file.h"
+#include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_summary.h"
-#include "experiments/metrics/association.h"
+#include "experiments/cli/run/sequence_flags.h"
+#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/clock_offset.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/runner/run_files.h"
+#include "experiments/runner/score_files.h"
+#include "experiments/suite/plan/inputs.h"
 
 namespace cvo {
 namespace {
 
-struct EvalFlags {
-  std::string groundtruth;
+namespace fs = std::filesystem;
+
+// Flags of eval trajectory and, up to `sequence`, of eval clock.
+struct TrajectoryFlags {
+  std::string groundtruth;  // a file, or which truth of a KITTI raw drive
   std::string estimate;
+  bool json = false;
+  SequenceFlags sequence;  // scored against its own truth; without a folder: two files
+  double most_s = 1.0;     // of the clock offset
   std::string format;
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
-  bool json = false;
-  EvalSequence sequence;  // scored against its own truth; without a folder: two files
-  EvalBoxes boxes;        // scored instead, if wanted
-  EvalClock clock;        // estimated instead, if wanted
+  std::string objects;
+  std::string name;
+  std::string output;
+  double right_shift_px = 0.0;
+
+  SequenceRequest Request() const {
+    SequenceFlags of = sequence;
+    if (!groundtruth.empty()) of.groundtruth = groundtruth;
+    return of.Request();
+  }
 };
 
 // True and estimated poses, one each per pose of the ground truth.
@@ -39,7 +61,7 @@ struct PairedPoses {
   std::size_t unmatched_estimate = 0;
 };
 
-std::string FormatOfBoth(const EvalFlags& flags) {
+std::string FormatOfBoth(const TrajectoryFlags& flags) {
   if (!flags.format.empty()) return flags.format;
   const std::string truth = DetectPoseFormat(flags.groundtruth);
   const std::string estimate = DetectPoseFormat(flags.estimate);
@@ -50,7 +72,7 @@ std::string FormatOfBoth(const EvalFlags& flags) {
   return truth;
 }
 
-PairedPoses PairTum(const EvalFlags& flags) {
+PairedPoses PairTum(const TrajectoryFlags& flags) {
   const Trajectory truth = ReadTumTrajectory(flags.groundtruth);
   const Trajectory estimate = ReadTumTrajectory(flags.estimate);
   const auto tolerance_ns =
@@ -65,7 +87,7 @@ PairedPoses PairTum(const EvalFlags& flags) {
   return poses;
 }
 
-PairedPoses PairKitti(const EvalFlags& flags) {
+PairedPoses PairKitti(const TrajectoryFlags& flags) {
   const std::vector<RigidTransform> truth = ReadKittiPoses(flags.groundtruth);
   const std::vector<RigidTransform> estimate = ReadKittiPoses(flags.estimate);
   if (truth.size() != estimate.size()) {
@@ -80,7 +102,7 @@ PairedPoses PairKitti(const EvalFlags& flags) {
   return poses;
 }
 
-int EvaluateFiles(const EvalFlags& flags) {
+int EvaluateFiles(const TrajectoryFlags& flags) {
   const PairedPoses poses = FormatOfBoth(flags) == "tum" ? PairTum(flags) : PairKitti(flags);
   if (poses.matched < 2) {
     ThrowError(flags.estimate, StrCat(poses.matched, " poses that match one of the truth"),
@@ -109,87 +131,182 @@ int EvaluateFiles(const EvalFlags& flags) {
   return 0;
 }
 
-// Checks that all flags belong to the same mode: two files, a sequence and an estimate, or boxes.
-void CheckUsage(const CLI::App& app, const EvalFlags& flags) {
-  const auto refuse = [&](const std::string& flag, const char* why) {
-    if (app.count(flag) > 0) throw CLI::ValidationError(flag, why);
-  };
-  flags.boxes.CheckUsage(app);
-  if (flags.boxes.wanted()) {
-    if (flags.sequence.flags.labels.empty()) {
-      throw CLI::ValidationError("--labels is required with --ap and --tracking");
+constexpr const char* kResult = "result.json";
+
+std::string HashSequence(const Sequence& sequence) {
+  Progress progress(sequence.images.size(), false);
+  std::vector<ImageHashes> images;
+  for (const StereoPaths& pair : sequence.images) {
+    images.push_back({HashFile(pair.left), HashFile(pair.right)});
+    progress.Report(images.size());
+  }
+  return ContentHash(sequence, images);
+}
+
+// Throws Error for the folder of a run: its result would be lost, and its other files would be
+// taken for those of the system.
+void RefuseRunFolder(const fs::path& folder) {
+  for (const std::string& name : RunFileNames()) {
+    if (name == kResult || !fs::exists(folder / name)) continue;
+    ThrowError(folder.string(), name + " of a run", "a folder without");
+  }
+}
+
+void PrintOutcome(const Sequence& sequence, const TrajectoryFlags& flags,
+                  const SystemOutcome& outcome) {
+  std::cout << sequence.name << ": poses of " << outcome.frames - outcome.frames_without_camera
+            << " of " << outcome.frames << " frames";
+  if (!flags.objects.empty()) {
+    std::cout << ", objects in " << outcome.object_frames << " object-frames";
+    if (outcome.object_frames_left_out > 0) {
+      std::cout << ", " << outcome.object_frames_left_out << " of them in frames without a pose";
     }
-    std::vector<std::string> others = EvalSequence::FlagNames();
-    others.insert(others.end(), {"--groundtruth", "--sequence", "--format", "--max-time-difference",
-                                 "--clock-offset"});
-    for (const std::string& flag : others) {
-      if (flag != "--labels" && flag != "--frames") refuse(flag, "does not apply to boxes");
-    }
+  }
+  std::cout << '\n';
+  if (outcome.metrics.empty()) {
+    std::cout << "no metrics: the sequence has no ground truth\n";
     return;
   }
-  if (flags.clock.wanted()) {
-    for (const char* flag : {"--format", "--max-time-difference", "--objects", "--name", "--output",
-                             "--right-shift"}) {
-      refuse(flag, "does not apply with --clock-offset");
-    }
+  std::cout << '\n';
+  PrintMetrics(outcome.metrics, std::cout);
+  if (!flags.objects.empty() && outcome.bodies.empty()) {
+    std::cout << "\nobjects not scored: the sequence has no ground truth of its bodies\n";
   }
+  if (outcome.bodies.empty()) return;
+  std::cout << "\nbodies:\n";
+  PrintBodies(outcome.bodies, outcome.metrics, std::cout);
+}
+
+int EvaluateSequence(const TrajectoryFlags& flags) {
+  const std::string& estimate = flags.estimate;
+  const Sequence sequence = OpenSequence(flags.Request());
+  std::unique_ptr<const OutputFolder> output;
+  if (!flags.output.empty()) {
+    RefuseRunFolder(flags.output);
+    std::vector<fs::path> read = FoldersOf(sequence);
+    read.insert(read.end(), {estimate, flags.objects});
+    output.reset(new OutputFolder(OpenOutput(flags.output, {kResult}, read)));
+  }
+  RequireAsRendered(sequence, HashesByReading);
+  const std::string name = flags.name.empty() ? fs::path(estimate).stem().string() : flags.name;
+  SystemRequest request{sequence, "", {name, estimate, flags.objects}, 0, flags.right_shift_px};
+  if (flags.json || output) {
+    ReadSystem(sequence, request.files);  // reports bad files before the images are hashed
+    request.content = HashSequence(sequence);
+  }
+  const SystemOutcome outcome =
+      output ? ScoreSystem(request, output->path()) : ScoreSystem(request);
+  if (flags.json) {
+    std::cout << outcome.result;
+  } else {
+    PrintOutcome(sequence, flags, outcome);
+  }
+  return 0;
+}
+
+Trajectory ReadTimed(const std::string& path) {
+  if (DetectPoseFormat(path) != "tum") {
+    ThrowError(path, "a trajectory in kitti format", "tum: clocks are compared by times");
+  }
+  return ReadTumTrajectory(path);
+}
+
+Trajectory AtFrames(const OptionalPoses& poses, const Sequence& sequence) {
+  Trajectory trajectory;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (poses[i]) trajectory.push_back({sequence.timestamps_ns[i], *poses[i]});
+  }
+  return trajectory;
+}
+
+int Print(const ClockOffset& clock, bool json) {
+  if (json) {
+    std::cout << DumpJson(
+        {{"schema_version", 1}, {"kind", "clock offset"}, {"clock", ToJson(clock)}});
+    return 0;
+  }
+  std::cout << "clock offset (ground truth minus estimate): " << (clock.offset_s > 0.0 ? "+" : "")
+            << FormatFixed(clock.offset_s, 5) << " s, standard deviation "
+            << FormatFixed(clock.deviation_s, 5) << " s\n"
+            << "rotation rates of " << clock.pairs
+            << " pairs of consecutive poses: " << FormatFixed(100.0 * clock.explained, 1)
+            << " % explained, residual " << FormatFixed(clock.residual_rad_per_s, 5) << " rad/s\n";
+  return 0;
+}
+
+int EstimateClock(const TrajectoryFlags& flags) {
+  if (flags.sequence.folder.empty()) {
+    return Print(
+        EstimateClockOffset(ReadTimed(flags.groundtruth), ReadTimed(flags.estimate), flags.most_s),
+        flags.json);
+  }
+  const Sequence sequence = OpenSequence(flags.Request());
+  const Trajectory truth = sequence.truth_track.empty()
+                               ? AtFrames(sequence.groundtruth_world_from_camera, sequence)
+                               : sequence.truth_track;
+  if (truth.empty()) ThrowError(sequence.folder.string(), "no ground truth of the camera", "one");
+  const SystemEstimate system = ReadSystem(sequence, {"", flags.estimate, ""});
+  return Print(EstimateClockOffset(truth, AtFrames(system.objects.world_from_camera, sequence),
+                                   flags.most_s),
+               flags.json);
+}
+
+// Flags that have a meaning only with a sequence, or only with two files.
+const std::vector<std::string> kOfSequence = {
+    "--type",          "--dataset", "--pair", "--frames", "--labels",
+    "--labels-camera", "--objects", "--name", "--output", "--right-shift"};
+const std::vector<std::string> kOfFiles = {"--format", "--max-time-difference"};
+
+void CheckUsage(const CLI::App& app, const TrajectoryFlags& flags) {
   if (app.count("--sequence") > 0) {
-    refuse("--format",
-           "applies to two files; with --sequence the format follows from the number of columns");
-    refuse("--max-time-difference", "applies to two files; with --sequence it is 0.02 s");
+    RefuseFlags(app, kOfFiles,
+                "applies to two files; a sequence has its own times and tolerance, 0.02 s");
     return;
   }
   if (flags.groundtruth.empty()) {
-    throw CLI::ValidationError(
-        "--groundtruth is required unless --sequence, --ap or --tracking is given");
+    throw CLI::ValidationError("--groundtruth is required unless --sequence is given");
   }
-  for (const std::string& flag : EvalSequence::FlagNames()) refuse(flag, "needs --sequence");
+  RefuseFlags(app, kOfSequence, "needs --sequence");
 }
 
-int Evaluate(const CLI::App& app, EvalFlags& flags) {
-  if (flags.boxes.wanted()) {
-    const SequenceFlags& part = flags.sequence.flags;
-    return EvaluateBoxes(flags.boxes, {part.labels, flags.estimate, part.frames}, flags.json);
-  }
-  if (app.count("--sequence") == 0) {
-    return flags.clock.wanted()
-               ? EvaluateClock(flags.clock, flags.groundtruth, flags.estimate, flags.json)
-               : EvaluateFiles(flags);
-  }
-  if (!flags.groundtruth.empty()) flags.sequence.flags.groundtruth = flags.groundtruth;
-  if (flags.clock.wanted()) {
-    return EvaluateClock(flags.clock, flags.sequence.flags.Request(), flags.estimate, flags.json);
-  }
-  return EvaluateSequence(flags.sequence, flags.estimate, flags.json);
-}
-
-}  // namespace
-
-Command AddEvalCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "eval", "Score a trajectory file, boxes, or the results of another system on a sequence");
-  const auto flags = std::make_shared<EvalFlags>();
-  app->add_option("--groundtruth", flags->groundtruth,
-                  "trajectory file with the ground truth; with --sequence on KITTI raw: devkit or "
-                  "interpolated")
+void AddInputs(CLI::App& app, TrajectoryFlags& flags) {
+  app.add_option("--groundtruth", flags.groundtruth,
+                 "trajectory file with the ground truth; with --sequence on KITTI raw: devkit or "
+                 "interpolated")
       ->type_name("FILE");
-  app->add_option("--estimate", flags->estimate,
-                  "trajectory file to score; with --ap and --tracking: boxes")
-      ->type_name("FILE")
-      ->required();
-  app->add_option("--format", flags->format,
-                  "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: from the number "
-                  "of columns")
+  app.add_option("--estimate", flags.estimate, "trajectory file")->type_name("FILE")->required();
+  app.add_option("--sequence", flags.sequence.folder,
+                 "use the ground truth of this sequence instead of a file")
+      ->type_name("FOLDER");
+  app.add_flag("--json", flags.json, "print JSON, with the contract of each metric");
+  flags.sequence.AddTruthTo(app);
+}
+
+Command AddTrajectoryCommand(CLI::App& eval) {
+  CLI::App* app = eval.add_subcommand(
+      "trajectory", "Score a trajectory file, or the results of another system on a sequence");
+  const auto flags = std::make_shared<TrajectoryFlags>();
+  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app->add_option(flag, value, meaning)->type_name(kind);
+  };
+  AddInputs(*app, *flags);
+  add("--format", flags->format, "NAME",
+      "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: from the number of columns")
       ->check(OneOf({"tum", "kitti"}));
-  app->add_option("--max-time-difference", flags->max_time_difference_s,
-                  "maximum time difference of matching TUM poses, in seconds")
+  add("--max-time-difference", flags->max_time_difference_s, "SECONDS",
+      "maximum time difference of matching TUM poses")
       ->check(CLI::Range(0.0, 1e6).description(""))
       ->check(FiniteProblem)
       ->capture_default_str();
-  app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
-  flags->sequence.AddTo(*app);
-  flags->clock.AddTo(*app);
-  flags->boxes.AddTo(*app);
+  add("--objects", flags->objects, "FILE|FOLDER",
+      "KITTI tracking rows with 3D boxes, or a folder of <id>.tum files");
+  add("--name", flags->name, "NAME", "name of the system; default: the estimate's file name");
+  add("-o,--output", flags->output, "FOLDER", "folder for result.json, in the format of a run");
+  add("--right-shift", flags->right_shift_px, "PX",
+      "rectification correction applied to the system's input; default: 0, as published")
+      ->check(CLI::Range(-100.0, 100.0).description(""))
+      ->check(FiniteProblem);
+  for (const std::string& flag : kOfSequence) app->get_option(flag)->group("With --sequence");
   app->footer(
       "Poses are world_from_camera. For ATE, the estimate is aligned by SE(3) over "
       "positions.\nWith --sequence, camera and objects are scored in the same way as a run. "
@@ -198,12 +315,38 @@ Command AddEvalCommand(CLI::App& program) {
       "ground-truth bodies by\ndistance, as the contracts state; unlike in run, velocities are "
       "differences of their poses.\n"
       "Examples:\n"
-      "  clustervo eval --groundtruth poses/06.txt --estimate OUT/camera.kitti\n"
-      "  clustervo eval --sequence scenes/indoor_1 --estimate cam.tum --objects tracks.kitti \\\n"
-      "      --name other -o results/other_indoor_1\n"
-      "  clustervo eval --ap --labels label_02/0003.txt --estimate tracks.kitti --iou 0.25");
+      "  clustervo eval trajectory --groundtruth poses/06.txt --estimate OUT/camera.kitti\n"
+      "  clustervo eval trajectory --sequence scenes/indoor_1 --estimate cam.tum \\\n"
+      "      --objects tracks.kitti --name other -o results/other_indoor_1");
   app->final_callback([app, flags] { CheckUsage(*app, *flags); });
-  return {app, [app, flags] { return Evaluate(*app, *flags); }};
+  return {app, [flags] {
+            return flags->sequence.folder.empty() ? EvaluateFiles(*flags)
+                                                  : EvaluateSequence(*flags);
+          }};
+}
+
+Command AddClockCommand(CLI::App& eval) {
+  CLI::App* app = eval.add_subcommand("clock",
+                                      "Estimate from rotation rates how far the clock of the "
+                                      "ground truth is ahead of an estimate's");
+  const auto flags = std::make_shared<TrajectoryFlags>();
+  AddInputs(*app, *flags);
+  app->add_option("--within", flags->most_s, "search from -SECONDS to SECONDS (0.01 to 10)")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.01, kMostClockOffset_s).description(""))
+      ->check(FiniteProblem)
+      ->capture_default_str();
+  app->final_callback([app, flags] { CheckUsage(*app, *flags); });
+  return {app, [flags] { return EstimateClock(*flags); }};
+}
+
+}  // namespace
+
+Command AddEvalCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "eval", "Score trajectories or boxes, or compare clocks, of any system");
+  return Group(*app,
+               {AddTrajectoryCommand(*app), AddEvalBoxesCommand(*app), AddClockCommand(*app)});
 }
 
 }  // namespace cvo

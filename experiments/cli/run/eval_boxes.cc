@@ -1,25 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/run/eval_boxes.h"
-
+// clustervo eval boxes: scores boxes in KITTI's file formats as KITTI's benchmarks do.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/metrics/kitti_ap/ap_files.h"
-#include "experiments/metrics/tracking/kitti_rules.h"
+#include "experiments/metrics/kitti_ap/box_metrics.h"
 #include "experiments/metrics/tracking/tracking_scores.h"
 
 namespace cvo {
 namespace {
 
-// What `eval --ap --json` prints.
+struct BoxFlags {
+  std::string labels;
+  std::string estimate;
+  std::string frames;  // "A:B"; empty: all
+  std::string score = "ap";
+  std::string category = "Car";
+  std::optional<double> least_overlap;  // default: the benchmark's for the class
+  std::string truncation = "applied";
+  std::string dont_care = "2d";
+  bool json = false;
+};
+
+// What is printed as JSON.
 struct ApOfSpace {
   ApProtocol contract;
   std::vector<AveragePrecision> levels;
@@ -31,7 +42,7 @@ struct ApOfSpace {
   }
 };
 
-// What `eval --tracking --json` prints. The overlap is used as the similarity.
+// The overlap is used as the similarity.
 struct TrackingOfSpace {
   BoxSpace overlap = BoxSpace::kImage;
   HotaScores hota;
@@ -57,28 +68,28 @@ std::vector<BoxSpace> SpacesOf(const std::vector<ApFrame>& frames) {
   return {BoxSpace::kImage, BoxSpace::kBirdsEye, BoxSpace::kVolume};
 }
 
-std::vector<ApOfSpace> AveragePrecisions(const EvalBoxes& eval,
+std::vector<ApOfSpace> AveragePrecisions(const BoxFlags& flags,
                                          const std::vector<ApFrame>& frames) {
   std::vector<ApOfSpace> all;
   for (const BoxSpace space : SpacesOf(frames)) {
     ApProtocol protocol;
-    protocol.category = eval.category;
+    protocol.category = flags.category;
     protocol.space = space;
-    protocol.least_overlap = eval.least_overlap.value_or(eval.category == "Car" ? 0.7 : 0.5);
-    protocol.truncation = *EnumOf<TruncationRule>(eval.truncation);
-    protocol.dont_care = *EnumOf<DontCareRule>(eval.dont_care);
+    protocol.least_overlap = flags.least_overlap.value_or(flags.category == "Car" ? 0.7 : 0.5);
+    protocol.truncation = *EnumOf<TruncationRule>(flags.truncation);
+    protocol.dont_care = *EnumOf<DontCareRule>(flags.dont_care);
     const auto levels = EvaluateAp(frames, protocol);
     all.push_back({protocol, {levels.begin(), levels.end()}});
   }
   return all;
 }
 
-std::vector<TrackingOfSpace> TrackingScores(const EvalBoxes& eval,
+std::vector<TrackingOfSpace> TrackingScores(const BoxFlags& flags,
                                             const std::vector<ApFrame>& frames) {
   std::vector<TrackingOfSpace> all;
   for (const BoxSpace space : SpacesOf(frames)) {
     if (space == BoxSpace::kBirdsEye) continue;
-    const TrackedSequence sequence = CountedBoxes(frames, eval.category, space);
+    const TrackedSequence sequence = CountedBoxes(frames, flags.category, space);
     all.push_back(
         {space, EvaluateHota(sequence), EvaluateClear(sequence), EvaluateIdentities(sequence)});
   }
@@ -148,68 +159,68 @@ void Print(const char* kind, const char* key, const std::vector<ApFrame>& frames
   Print(scores, std::cout);
 }
 
-// Flags that only apply to average precision.
-constexpr std::array<const char*, 3> kOfAp = {"--iou", "--truncation", "--dontcare"};
+int EvaluateBoxes(const BoxFlags& flags) {
+  const FrameRange range = flags.frames.empty() ? FrameRange() : ParseFrameRange(flags.frames);
+  const std::vector<ApFrame> frames = ReadApFrames(flags.labels, flags.estimate, range);
+  if (flags.score == "ap") {
+    Print("average precision", "average_precision", frames, AveragePrecisions(flags, frames),
+          flags.json);
+    return 0;
+  }
+  if (std::filesystem::is_directory(flags.labels)) {
+    ThrowError(flags.labels, "a folder", "a file of KITTI tracking: object files have no tracks");
+  }
+  Print("tracking scores", "tracking", frames, TrackingScores(flags, frames), flags.json);
+  return 0;
+}
 
 }  // namespace
 
-void EvalBoxes::AddTo(CLI::App& app) {
-  app.add_flag("--ap", ap,
-               "score boxes by KITTI's average precision: --labels and --estimate are files of "
-               "KITTI tracking, or folders of KITTI object files");
-  app.add_flag(
-      "--tracking", tracking,
-      "score boxes over time by HOTA, CLEAR and IDF1, as TrackEval does on KITTI: --labels "
-      "and --estimate are files of KITTI tracking");
-  std::vector<CLI::Option*> options;
-  options.push_back(app.add_option("--class", category,
-                                   "class to score; as in the benchmark, Van (for Car) and "
-                                   "Person_sitting (for Pedestrian) count neither for nor against")
-                        ->check(OneOf({"Car", "Pedestrian", "Cyclist"}))
-                        ->capture_default_str());
-  options.push_back(app.add_option("--iou", least_overlap,
-                                   "with --ap: a match needs a larger intersection over union than "
-                                   "this; default: 0.7 for Car, otherwise 0.5, as in the benchmark")
-                        ->type_name("NUMBER")
-                        ->check(CLI::Range(0.0, 1.0).description(""))
-                        ->check(FiniteProblem));
-  options.push_back(app.add_option("--truncation", truncation,
-                                   "with --ap: applied (labels truncated beyond a level's limit "
-                                   "are ignored at that level; in tracking files that is every "
-                                   "label with truncation 1 or 2) or ignored (no limit)")
-                        ->check(OneOf({"applied", "ignored"}))
-                        ->capture_default_str());
-  options.push_back(
-      app.add_option("--dontcare", dont_care,
-                     "with --ap: where DontCare regions excuse false positives: 2d (as in KITTI's "
-                     "benchmark), or all (also bird's-eye view and 3D, judged by the image box)")
-          ->check(OneOf({"2d", "all"}))
-          ->capture_default_str());
-  for (CLI::Option* option : options) option->group("With --ap or --tracking");
-}
-
-void EvalBoxes::CheckUsage(const CLI::App& app) const {
-  if (!wanted() && app.count("--class") > 0) {
-    throw CLI::ValidationError("--class", "needs --ap or --tracking");
-  }
-  for (const char* flag : kOfAp) {
-    if (!ap && app.count(flag) > 0) throw CLI::ValidationError(flag, "needs --ap");
-  }
-  if (ap && tracking) throw CLI::ValidationError("--tracking", "does not apply with --ap");
-}
-
-int EvaluateBoxes(const EvalBoxes& eval, const BoxFiles& files, bool json) {
-  const FrameRange range = files.frames.empty() ? FrameRange() : ParseFrameRange(files.frames);
-  const std::vector<ApFrame> frames = ReadApFrames(files.labels, files.estimate, range);
-  if (eval.ap) {
-    Print("average precision", "average_precision", frames, AveragePrecisions(eval, frames), json);
-    return 0;
-  }
-  if (std::filesystem::is_directory(files.labels)) {
-    ThrowError(files.labels, "a folder", "a file of KITTI tracking: object files have no tracks");
-  }
-  Print("tracking scores", "tracking", frames, TrackingScores(eval, frames), json);
-  return 0;
+Command AddEvalBoxesCommand(CLI::App& eval) {
+  CLI::App* app = eval.add_subcommand(
+      "boxes", "Score boxes by KITTI's average precision, or tracks by HOTA, CLEAR and IDF1");
+  const auto flags = std::make_shared<BoxFlags>();
+  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
+    return app->add_option(flag, value, meaning)->type_name(kind);
+  };
+  add("--labels", flags->labels, "FILE|FOLDER",
+      "labels: a file of KITTI tracking, or a folder of KITTI object files")
+      ->required();
+  add("--estimate", flags->estimate, "FILE|FOLDER", "boxes to score, of the same kind")->required();
+  add("--frames", flags->frames, "A:B", "score frames A to B-1");
+  add("--score", flags->score, "NAME",
+      "ap (average precision), or tracking (HOTA, CLEAR and IDF1, as TrackEval does on KITTI)")
+      ->check(OneOf({"ap", "tracking"}))
+      ->capture_default_str();
+  add("--class", flags->category, "NAME",
+      "class to score; as in the benchmark, Van (for Car) and Person_sitting (for Pedestrian) "
+      "count neither for nor against")
+      ->check(OneOf({"Car", "Pedestrian", "Cyclist"}))
+      ->capture_default_str();
+  add("--iou", flags->least_overlap, "NUMBER",
+      "ap: a match needs a larger intersection over union than this; default: 0.7 for Car, "
+      "otherwise 0.5, as in the benchmark")
+      ->check(CLI::Range(0.0, 1.0).description(""))
+      ->check(FiniteProblem);
+  add("--truncation", flags->truncation, "RULE",
+      "ap: applied (labels truncated beyond a level's limit are ignored at that level; in "
+      "tracking files that is every label with truncation 1 or 2) or ignored (no limit)")
+      ->check(OneOf({"applied", "ignored"}))
+      ->capture_default_str();
+  add("--dontcare", flags->dont_care, "RULE",
+      "ap: where DontCare regions excuse false positives: 2d (as in KITTI's benchmark), or all "
+      "(also bird's-eye view and 3D, judged by the image box)")
+      ->check(OneOf({"2d", "all"}))
+      ->capture_default_str();
+  app->add_flag("--json", flags->json, "print JSON, with the contract");
+  app->footer(
+      "Example:\n"
+      "  clustervo eval boxes --labels label_02/0003.txt --estimate tracks.kitti --iou 0.25");
+  app->final_callback([app, flags] {
+    if (flags->score == "ap") return;
+    RefuseFlags(*app, {"--iou", "--truncation", "--dontcare"}, "applies to --score ap");
+  });
+  return {app, [flags] { return EvaluateBoxes(*flags); }};
 }
 
 }  // namespace cvo

@@ -13,11 +13,9 @@
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/datasets/body_truth.h"
-#include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/datasets/sequence_type.h"
 #include "experiments/record/result_file.h"
-#include "reports/overlays/encode.h"
+#include "reports/overlays/picture_files.h"
 
 namespace cvo {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "synth/family/family.h"
-#include "synth/scene/shipped_scenes.h"
+#include "synth/scene/description.h"
 
 namespace cvo {
 namespace {
@@ -50,9 +50,9 @@ const VariantInfo& VariantNamed(const std::string& name) {
   const std::string meant = DidYouMean(name, names);
   const bool known = std::find(names.begin(), names.end(), name) != names.end();
   if (known) return FindVariant(name);
-  FailUsage(
-      "--variant", Quoted(name) + meant,
-      meant.empty() ? OneOfKnown(name, names) : "one of those that `clustervo variants` lists");
+  FailUsage("--variant", Quoted(name) + meant,
+            meant.empty() ? OneOfKnown(name, names)
+                          : "one of those that `clustervo list variants` lists");
 }
 
 void CheckSequenceFolder(const fs::path& folder) {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/median.h"
+#include "core/base/lists.h"
 #include "core/features/orb/orb.h"
-#include "experiments/datasets/load_image.h"
+#include "experiments/datasets/images.h"
 
 namespace cvo {
 namespace {

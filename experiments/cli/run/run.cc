@@ -26,7 +26,7 @@
 #include "experiments/cli/stop_signal.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/suite/plan/scenes.h"
+#include "experiments/suite/plan/inputs.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
@@ -188,7 +188,7 @@ Command AddRunCommand(CLI::App& program) {
     return app->add_option(flag, value, meaning)->type_name(kind);
   };
   add("-o,--output", flags->output, "FOLDER", "output folder for the results")->required();
-  add("--variant", flags->variant, "NAME", "estimator variant (see clustervo variants)")
+  add("--variant", flags->variant, "NAME", "estimator variant (see clustervo list variants)")
       ->capture_default_str();
   flags->run.AddTo(*app);
   app->add_option_function<std::string>(

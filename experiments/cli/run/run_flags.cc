@@ -13,7 +13,7 @@
 namespace cvo {
 
 void RunFlags::AddTo(CLI::App& app) {
-  app.add_option("--set", set, "set one option (see clustervo options); can be repeated")
+  app.add_option("--set", set, "set one option (see clustervo list options); can be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   app.add_option("--config", config,

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
-#include "experiments/log/run_record.h"
-#include "experiments/metrics/metric.h"
+#include "experiments/metrics/pose_errors.h"
+#include "experiments/record/run_result.h"
 #include "experiments/runner/score_run.h"
 
 namespace cvo {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/suite/run_collection.h"
-
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -17,8 +15,9 @@
 #include "experiments/cli/reports/suite_table.h"
 #include "experiments/cli/run/known_names.h"
 #include "experiments/cli/stop_signal.h"
-#include "experiments/suite/parse_suite.h"
-#include "reports/page/collection_html.h"
+#include "experiments/cli/suite/run_suite.h"
+#include "experiments/suite/suite.h"
+#include "reports/page/html.h"
 #include "reports/results/suite_runs.h"
 #include "reports/results/timing.h"
 #include "reports/runs/suite_times.h"
@@ -59,6 +58,23 @@ std::string SpeedText(Speed speed) {
                 Counted(static_cast<std::size_t>(speed.threads), "thread"), " of ", speed.cpu, ")");
 }
 
+std::string Link(const std::string& path, const std::string& text) {
+  return StrCat("<a href=\"", reports::Escaped(path), "\">", reports::Escaped(text), "</a>");
+}
+
+std::string PlainTable(const std::vector<std::string>& columns,
+                       const std::vector<std::vector<std::string>>& rows) {
+  std::string html = "<div class=\"scroll\" tabindex=\"0\"><table>\n<thead><tr>";
+  for (const std::string& column : columns) html += reports::Element("th", column);
+  html += "</tr></thead>\n<tbody>\n";
+  for (const std::vector<std::string>& row : rows) {
+    html += "<tr>";
+    for (const std::string& cell : row) html += reports::Element("td", cell);
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table></div>\n";
+}
+
 class CollectionRun {
  public:
   CollectionRun(const Collection& collection, const SuiteRunFlags& flags)
@@ -75,11 +91,7 @@ class CollectionRun {
       if (code == kStopped) return code;
       worst = std::max(worst, code);
     }
-    reports::CollectedPage page{collection_.name, collection_.about, {}};
-    for (const CollectionSection& section : collection_.sections) {
-      page.sections.push_back(Collect(section));
-    }
-    WriteFilesAtomically(root_, {{"index.html", reports::CollectionHtml(page)}});
+    WriteFilesAtomically(root_, {{"index.html", Page()}});
     std::cout << "written: " << (root_ / "index.html").string() << '\n';
     return worst;
   }
@@ -121,47 +133,81 @@ class CollectionRun {
     return code;
   }
 
-  reports::CollectedSection Collect(const CollectionSection& section) {
-    reports::CollectedSection collected;
-    collected.title = section.title;
-    collected.text = section.text;
-    collected.data = section.data;
-    collected.columns = section.columns;
-    collected.rows = section.rows;
-    for (const auto& [variant, cells] : section.measured) {
-      collected.rows.push_back(cells);
-      collected.rows.back().push_back(SpeedText(speeds_[variant]));
+  std::string Page() {
+    std::string contents;
+    std::string sections;
+    for (std::size_t i = 0; i < collection_.sections.size(); ++i) {
+      const CollectionSection& section = collection_.sections[i];
+      const std::string id = StrCat("section-", i + 1);
+      std::string state;
+      sections +=
+          StrCat("<section id=\"", id, "\">\n", SectionHtml(section, id, state), "</section>\n");
+      contents += StrCat("<li>", Link("#" + id, section.title), state, "</li>\n");
     }
-    if (!section.suite.empty()) AddTable(section.suite, collected);
-    if (section.times && collected.table) ReplaceByTimes(section.suite, collected);
-    for (const CollectionFigure& figure : section.figures) AddPictures(figure, collected);
-    return collected;
+    return reports::HtmlDocument(collection_.name,
+                                 StrCat(reports::Element("h1", collection_.name), "\n",
+                                        reports::Element("p", collection_.about), "\n<nav><ol>\n",
+                                        contents, "</ol></nav>\n", sections));
   }
 
-  void AddTable(const std::string& suite, reports::CollectedSection& collected) const {
-    const fs::path folder = FolderOf(suite);
-    reports::Table table =
+  // `state` becomes what the table of contents says about data that are not on this disk.
+  std::string SectionHtml(const CollectionSection& section, const std::string& id,
+                          std::string& state) {
+    std::string html = reports::Element("h2", section.title) + "\n";
+    for (const std::string& text : section.text) html += reports::Element("p", text) + "\n";
+    std::vector<std::vector<std::string>> rows = section.rows;
+    for (const auto& [variant, cells] : section.measured) {
+      rows.push_back(cells);
+      rows.back().push_back(SpeedText(speeds_[variant]));
+    }
+    if (!section.columns.empty()) html += PlainTable(section.columns, rows);
+    if (!section.suite.empty()) html += SuiteHtml(section, id, state);
+    for (const CollectionFigure& figure : section.figures) html += PicturesHtml(figure);
+    return html;
+  }
+
+  std::string SuiteHtml(const CollectionSection& section, const std::string& id,
+                        std::string& state) const {
+    const fs::path folder = FolderOf(section.suite);
+    const reports::Table table =
         reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions());
-    collected.missing = reports::MissingSequences(table);
-    collected.problem = ran_.at(suite);
-    if (!collected.problem.empty()) return;
-    collected.table = std::move(table);
+    std::vector<std::string> missing;
+    for (const reports::Problem& problem : table.problems) {
+      if (problem.state != "no data") continue;
+      AddOnce(StrCat(problem.sequence, ": ", problem.message), missing);
+    }
+    const std::string& problem = ran_.at(section.suite);
+    state = !problem.empty() ? ": not on this disk" : !missing.empty() ? ": in part" : "";
+    std::string html;
+    if (!problem.empty()) {
+      html += reports::Element("p", "No table: " + problem) + "\n";
+    } else {
+      html += section.times ? TimesHtml(folder) : reports::ResultTable(table, id + "-table");
+    }
+    html += reports::ListHtml("Not on this disk", missing);
+    if (!state.empty() && !section.data.empty()) {
+      html += reports::Element("p", "Get it: " + section.data) + "\n";
+    }
+    if (!problem.empty()) return html;
     WriteReport({.folder = folder.string(), .no_images = true});
-    collected.report = reports::LinkedFile{SuiteFolderName(suite) + "/report/index.html",
-                                           "Figures, and run by run"};
+    return html + StrCat("<p>",
+                         Link(SuiteFolderName(section.suite) + "/report/index.html",
+                              "Figures, and run by run"),
+                         "</p>\n");
   }
 
-  void ReplaceByTimes(const std::string& suite, reports::CollectedSection& collected) const {
-    const reports::SuiteTimes times = reports::ReadSuiteTimes(FolderOf(suite));
-    collected.table.reset();
-    collected.rows = reports::TimesTable(times);
-    collected.columns = collected.rows.front();
-    collected.rows.erase(collected.rows.begin());
-    collected.text.push_back("Here: " + Joined(times.machines, "; ") + ".");
+  static std::string TimesHtml(const fs::path& folder) {
+    const reports::SuiteTimes times = reports::ReadSuiteTimes(folder);
+    std::vector<std::vector<std::string>> rows = reports::TimesTable(times);
+    const std::vector<std::string> columns = rows.front();
+    rows.erase(rows.begin());
+    return reports::Element("p", "Here: " + Joined(times.machines, "; ") + ".") + "\n" +
+           PlainTable(columns, rows);
   }
 
-  void AddPictures(const CollectionFigure& figure, reports::CollectedSection& collected) const {
+  std::string PicturesHtml(const CollectionFigure& figure) const {
     const std::string name = StrCat(SuiteFolderName(figure.suite), "-", figure.sequence);
+    std::string html;
     for (const int frame : figure.frames) {
       const std::string folder = StrCat("figures/", name, "-", frame);
       const std::string what = StrCat(figure.sequence, ", ", figure.variants, ", frame ", frame);
@@ -173,12 +219,16 @@ class CollectionRun {
                       .frame = frame,
                       .quiet = true});
         for (const auto& file : fs::directory_iterator(root_ / folder)) {
-          collected.pictures.push_back({folder + "/" + file.path().filename().string(), what});
+          html += StrCat("<figure><img src=\"",
+                         reports::Escaped(folder + "/" + file.path().filename().string()),
+                         "\" alt=\"", reports::Escaped(what), "\">",
+                         reports::Element("figcaption", what), "</figure>\n");
         }
       } catch (const Error& error) {
-        collected.text.push_back(StrCat("No picture of ", what, ": ", error.what()));
+        html += reports::Element("p", StrCat("No picture of ", what, ": ", error.what())) + "\n";
       }
     }
+    return html;
   }
 
   const Collection& collection_;

@@ -5,28 +5,114 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <thread>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/temporary.h"
+#include "core/files/atomic_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/output_place.h"
 #include "experiments/cli/progress.h"
+#include "experiments/cli/run/known_names.h"
+#include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/stop_signal.h"
-#include "experiments/cli/suite/job_report.h"
-#include "experiments/jobs/folder_lock.h"
 #include "experiments/jobs/run_plan.h"
-#include "experiments/suite/plan/build_plan.h"
+#include "experiments/jobs/slurm/slurm_engine.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
+
+void SuiteFlags::AddTo(CLI::App& app) {
+  app.add_option("SUITE", suite, "a shipped suite (clustervo list suites) or a suite file")
+      ->type_name("")
+      ->required();
+  app.add_option("-o,--output", output, "output folder of the suite")->type_name("DIR")->required();
+  app.add_option("--data", data, "root folder of the real sequences; default: CLUSTERVO_DATA")
+      ->type_name("FOLDER");
+  app.add_option("--seeds", overrides.seeds, "use seeds 1 to N instead of the suite's")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10000).description(""));
+  app.add_option("--frames", overrides.frames,
+                 "use frames A to B-1 of every sequence instead of the suite's")
+      ->type_name("A:B");
+  app.add_option(
+         "--set", overrides.set,
+         "set an option (see clustervo list options), an axis of the suite's grid, or, with the "
+         "prefix scene., a value of all scenes; can be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+}
+
+Suite SuiteFlags::Load() const {
+  return LoadNamed(suite, [&] { return Override(LoadSuite(suite), overrides); });
+}
+
+PlanRequest SuiteFlags::Request() const {
+  PlanRequest request;
+  const char* variable = std::getenv("CLUSTERVO_DATA");
+  request.data = !data.empty() ? data : variable == nullptr ? "" : variable;
+  request.cache = synth::CacheFolder();
+  return request;
+}
+
+void EngineFlags::AddTo(CLI::App& app) {
+  app.add_option("-j,--jobs", jobs,
+                 "number of jobs to run in parallel; default: number of CPUs, with slurm all jobs")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+  app.add_option(
+         "--engine", name,
+         "where jobs run: local (processes on this machine) or slurm (see experiments/README.md)")
+      ->type_name("NAME")
+      ->check(OneOf({"local", "slurm"}))
+      ->capture_default_str();
+  app.add_option("--sbatch", sbatch,
+                 "with slurm: additional flag for sbatch, such as --sbatch=--partition=short; can "
+                 "be repeated")
+      ->type_name("FLAG")
+      ->allow_extra_args(false);
+}
+
+std::unique_ptr<Engine> EngineFlags::Make(const SuiteFolder& folder) const {
+  if (name == "slurm") {
+    SlurmOptions options;
+    options.folder = folder.slurm();
+    options.sbatch_flags = sbatch;
+    options.at_once = jobs;
+    return std::make_unique<SlurmEngine>(options);
+  }
+  if (!sbatch.empty()) ThrowError("--sbatch", "the local engine", "--engine slurm");
+  return std::make_unique<LocalEngine>(jobs > 0 ? jobs : DefaultThreads());
+}
+
+void PrintJobs(const SuiteFolder& folder, const Plan& plan, const std::vector<JobStatus>& status,
+               std::ostream& out) {
+  const PlanOutcome counts = CountJobs(status);
+  out << status.size() << (status.size() == 1 ? " job: " : " jobs: ") << counts.done << " done";
+  if (counts.failed > 0) out << ", " << counts.failed << " failed";
+  if (counts.missing > 0) out << ", " << counts.missing << " not run yet";
+  if (counts.no_sequence > 0) out << ", " << counts.no_sequence << " with missing input";
+  out << '\n';
+  std::set<std::string> told;
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    const PlanJob& job = plan.jobs[i];
+    if (status[i].state == JobStatus::State::kFailed) {
+      out << "failed: " << Describe(job) << ": " << status[i].message;
+      if (!job.job.empty()) out << " (" << folder.log(job.job).string() << ")";
+      out << '\n';
+    }
+    if (status[i].state == JobStatus::State::kNoSequence && told.insert(job.sequence).second) {
+      out << "missing input: " << job.sequence << ": " << status[i].message << '\n';
+    }
+  }
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,9 +278,9 @@ class SuiteRun {
   }
 
   static void NoteUnprepared(const Messages& messages, Plan& plan) {
-    for (PlannedJob& job : plan.jobs) {
+    for (PlanJob& job : plan.jobs) {
       if (!IsPending(job.missing)) continue;
-      const auto message = messages.find(job.cell.sequence.name);
+      const auto message = messages.find(job.sequence);
       job.missing = StrCat(
           job.missing == kNotRendered ? "the scene was not rendered" : "its boxes were not found",
           message == messages.end() ? "" : ": " + message->second);

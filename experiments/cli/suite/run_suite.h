@@ -2,10 +2,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "core/base/error.h"
-#include "experiments/cli/suite/suite_flags.h"
+#include "experiments/jobs/engine.h"
+#include "experiments/jobs/job_status.h"
+#include "experiments/suite/collection.h"
+#include "experiments/suite/plan/build_plan.h"
+#include "experiments/suite/suite.h"
 
 namespace cvo {
+
+// Flags that select a suite, its data and its output folder.
+struct SuiteFlags {
+  std::string suite;
+  std::string output;
+  std::string data;
+  SuiteOverrides overrides;
+
+  void AddTo(CLI::App& app);
+  // Throws Error for an invalid suite.
+  Suite Load() const;
+  // Sets the data folder, which is --data, else CLUSTERVO_DATA, else empty, and the cache folder.
+  PlanRequest Request() const;
+};
+
+// Flags that select where jobs run.
+struct EngineFlags {
+  std::string name = "local";
+  int jobs = 0;  // in parallel; 0: not specified
+  std::vector<std::string> sbatch;
+
+  void AddTo(CLI::App& app);
+  // Throws Error for flags that do not apply to the engine.
+  std::unique_ptr<Engine> Make(const SuiteFolder& folder) const;
+};
 
 // Flags of clustervo experiment run.
 struct SuiteRunFlags {
@@ -25,5 +60,15 @@ class NoSequence : public Error {
 // Renders, plans and runs a suite. Returns the exit code. Throws Error for an invalid suite or a
 // folder that cannot be written, and NoSequence.
 int RunSuite(const SuiteRunFlags& flags);
+
+// Runs the suites of a collection, each to a folder with its name below the output folder, and
+// writes index.html there. Returns 0 if all jobs that can run have run; a suite without any
+// sequence on this disk is not a failure. Throws Error as RunSuite.
+int RunCollection(const Collection& collection, const SuiteRunFlags& flags);
+
+// Prints "80 jobs: 76 done, 2 failed, 2 with missing input", then a line for each failed job, with
+// its message and log, and for each sequence with missing input.
+void PrintJobs(const SuiteFolder& folder, const Plan& plan, const std::vector<JobStatus>& status,
+               std::ostream& out);
 
 }  // namespace cvo

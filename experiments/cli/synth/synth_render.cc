@@ -5,17 +5,16 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/stop_signal.h"
-#include "experiments/datasets/frame_range.h"
-#include "synth/family/generate.h"
-#include "synth/preview/preview.h"
-#include "synth/write/write_scene.h"
+#include "experiments/datasets/sequence.h"
+#include "synth/family/family.h"
+#include "synth/write/dataset.h"
 
 namespace cvo {
 namespace {
@@ -33,7 +32,7 @@ struct SceneFlags {
 
   void AddTo(CLI::App& app, const char* output_kind, const char* output_meaning) {
     app.add_option("SCENE", scene,
-                   "a shipped scene (clustervo synth list), a JSON file or a seed of a family, "
+                   "a shipped scene (clustervo list scenes), a JSON file or a seed of a family, "
                    "such as room@17")
         ->type_name("")
         ->required();
@@ -57,9 +56,9 @@ struct SceneFlags {
 };
 
 // Shows stages one after the other, each with a bar of its own.
-class StageProgress {
+class RenderProgress {
  public:
-  explicit StageProgress(bool quiet) : quiet_(quiet) {}
+  explicit RenderProgress(bool quiet) : quiet_(quiet) {}
 
   void Report(int done, int total, const std::string& stage) {
     if (stage != stage_) {
@@ -96,7 +95,7 @@ struct RenderFlags {
 template <typename Work>
 int RunStoppable(bool quiet, const Work& work) {
   const StopSignal stop;
-  StageProgress progress(quiet);
+  RenderProgress progress(quiet);
   synth::WorkHooks hooks;
   hooks.progress = [&](int done, int total, const std::string& stage) {
     progress.Report(done, total, stage);

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/datasets/formats/data_rows.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <numbers>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
+#include "core/files/text_file.h"
 
 namespace cvo {
 namespace {
@@ -29,6 +34,53 @@ std::vector<std::string_view> Cells(std::string_view line) {
     if (!commas) line = Trimmed(line);
   }
   return cells;
+}
+
+constexpr std::string_view kShape = "dddd-dd-dd dd:dd:dd.ddddddddd";
+
+bool HasShape(std::string_view text) {
+  if (text.size() != kShape.size()) return false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool digit = text[i] >= '0' && text[i] <= '9';
+    if (kShape[i] == 'd' ? !digit : text[i] != kShape[i]) return false;
+  }
+  return true;
+}
+
+void CheckIncreasing(const TextFile& file, const std::vector<std::int64_t>& times) {
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] <= times[i - 1]) {
+      ThrowError(file.Where(i), Quoted(file.line(i)),
+                 "a time after that of the line before, " + Quoted(file.line(i - 1)));
+    }
+  }
+}
+
+std::string_view TrimEnd(std::string_view text) {
+  return text.substr(0, text.find_last_not_of(" \t") + 1);
+}
+
+constexpr std::size_t kColumns = 30;
+
+OxtsPacket ReadPacket(const TextRow& row) {
+  row.ExpectColumns(kColumns, "an OxTS packet");
+  for (std::size_t i = 0; i < kColumns; ++i) row.Number(i);
+  const OxtsPacket packet = {row.Number(0), row.Number(1), row.Number(2),
+                             row.Number(3), row.Number(4), row.Number(5)};
+  constexpr double kMaxLatitude_deg = 85.0;  // the Mercator projection diverges at the poles
+  if (std::abs(packet.latitude_deg) > kMaxLatitude_deg || std::abs(packet.longitude_deg) > 180.0) {
+    row.Fail(StrCat("latitude ", packet.latitude_deg, " and longitude ", packet.longitude_deg),
+             "degrees within 85 and 180");
+  }
+  return packet;
+}
+
+Eigen::Vector3d MercatorPosition(const OxtsPacket& packet, double scale) {
+  constexpr double kEarthRadius_m = 6378137.0;
+  constexpr double kPi = std::numbers::pi;
+  return {scale * packet.longitude_deg * kPi * kEarthRadius_m / 180.0,
+          scale * kEarthRadius_m * std::log(std::tan((90.0 + packet.latitude_deg) * kPi / 360.0)),
+          packet.altitude_m};
 }
 
 }  // namespace
@@ -126,6 +178,90 @@ void CheckLater(const DataRows& rows, std::size_t row, std::int64_t time_ns,
   if (!before_ns || time_ns > *before_ns) return;
   rows.Fail(row, StrCat("time ", FormatSecondsNs(time_ns), " s of ", of),
             StrCat("one after ", FormatSecondsNs(*before_ns), " s, that of the row before"));
+}
+
+std::optional<std::int64_t> ParseDateTimeNs(std::string_view text) {
+  if (!HasShape(text)) return std::nullopt;
+  const auto number = [&](std::size_t begin, std::size_t count) {
+    return *ParseInteger(text.substr(begin, count));
+  };
+  const std::chrono::year_month_day date(std::chrono::year(static_cast<int>(number(0, 4))),
+                                         std::chrono::month(static_cast<unsigned>(number(5, 2))),
+                                         std::chrono::day(static_cast<unsigned>(number(8, 2))));
+  const std::int64_t hour = number(11, 2), minute = number(14, 2), second = number(17, 2);
+  // An int64 in ns covers the years 1678 to 2261.
+  if (!date.ok() || hour > 23 || minute > 59 || second > 59 || number(0, 4) < 1678 ||
+      number(0, 4) > 2261) {
+    return std::nullopt;
+  }
+  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
+  return (((days * 24 + hour) * 60 + minute) * 60 + second) * 1'000'000'000 + number(20, 9);
+}
+
+std::vector<std::int64_t> ReadDateTimes(const std::filesystem::path& path) {
+  const TextFile file(path);
+  std::vector<std::int64_t> times;
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    const std::optional<std::int64_t> time = ParseDateTimeNs(TrimEnd(file.line(i)));
+    if (!time) {
+      ThrowError(file.Where(i), Quoted(file.line(i)), "a time YYYY-MM-DD HH:MM:SS.nnnnnnnnn");
+    }
+    times.push_back(*time);
+  }
+  CheckIncreasing(file, times);
+  return times;
+}
+
+std::vector<std::int64_t> ReadSecondsTimes(const std::filesystem::path& path) {
+  const TextFile file(path);
+  std::vector<std::int64_t> times;
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    const TextRow row(file, i);
+    row.ExpectColumns(1, "a time in seconds");
+    times.push_back(row.SecondsNs(0));
+  }
+  CheckIncreasing(file, times);
+  return times;
+}
+
+std::vector<std::int64_t> NominalTimes(std::size_t frames, double rate_hz) {
+  std::vector<std::int64_t> times;
+  for (std::size_t i = 0; i < frames; ++i) {
+    times.push_back(std::llround(1e9 * static_cast<double>(i) / rate_hz));
+  }
+  return times;
+}
+
+OxtsPacket ReadOxtsPacket(const std::filesystem::path& path) {
+  const TextFile file(path);
+  if (file.size() != 1) ThrowError(path.string(), StrCat(file.size(), " lines"), "one OxTS packet");
+  return ReadPacket(TextRow(file, 0));
+}
+
+std::vector<OxtsPacket> ReadOxtsPackets(const std::filesystem::path& path) {
+  const TextFile file(path);
+  std::vector<OxtsPacket> packets;
+  for (std::size_t i = 0; i < file.size(); ++i) packets.push_back(ReadPacket(TextRow(file, i)));
+  return packets;
+}
+
+std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets) {
+  std::vector<RigidTransform> poses;
+  if (packets.empty()) return poses;
+  const double scale = std::cos(packets[0].latitude_deg * std::numbers::pi / 180.0);
+  const Eigen::Vector3d origin = MercatorPosition(packets[0], scale);
+  for (const OxtsPacket& packet : packets) {
+    const Eigen::Quaterniond rotation =
+        Eigen::AngleAxisd(packet.yaw_rad, Eigen::Vector3d::UnitZ()) *
+        Eigen::AngleAxisd(packet.pitch_rad, Eigen::Vector3d::UnitY()) *
+        Eigen::AngleAxisd(packet.roll_rad, Eigen::Vector3d::UnitX());
+    // The first position is subtracted before any product, so that its large coordinates cost no
+    // digits.
+    poses.emplace_back(rotation, MercatorPosition(packet, scale) - origin);
+  }
+  const RigidTransform first_from_world = poses[0].Inverse();
+  for (RigidTransform& pose : poses) pose = first_from_world * pose;
+  return poses;
 }
 
 }  // namespace cvo

@@ -55,4 +55,36 @@ class DataRows {
 void CheckLater(const DataRows& rows, std::size_t row, std::int64_t time_ns,
                 std::optional<std::int64_t> before_ns, const std::string& of);
 
+// Parses a time such as "2011-09-26 13:02:25.967790592", with exactly nine decimals, to ns since
+// 1970 (the file does not state its time zone). Empty for text of any other form.
+[[nodiscard]] std::optional<std::int64_t> ParseDateTimeNs(std::string_view text);
+
+// Read one timestamp per line, strictly increasing. Throw Error with file and line.
+std::vector<std::int64_t> ReadDateTimes(const std::filesystem::path& path);     // KITTI raw
+std::vector<std::int64_t> ReadSecondsTimes(const std::filesystem::path& path);  // KITTI odometry
+
+// Returns the times of frames 0, 1, ... at a constant rate, for data without timestamps. KITTI's
+// rate is 10 Hz.
+std::vector<std::int64_t> NominalTimes(std::size_t frames, double rate_hz = 10.0);
+
+// The part of a GPS/IMU packet that the devkit uses. Angles are as in the file: latitude and
+// longitude in degrees; roll, pitch and yaw in radians.
+struct OxtsPacket {
+  double latitude_deg = 0.0;
+  double longitude_deg = 0.0;
+  double altitude_m = 0.0;
+  double roll_rad = 0.0;
+  double pitch_rad = 0.0;
+  double yaw_rad = 0.0;
+};
+
+// Read one packet per file (KITTI raw) or one per line (KITTI tracking). Each must have 30 finite
+// numbers; throw Error otherwise.
+OxtsPacket ReadOxtsPacket(const std::filesystem::path& path);
+std::vector<OxtsPacket> ReadOxtsPackets(const std::filesystem::path& path);
+
+// Returns imu_0_from_imu_i, computed as by the devkit's convertOxtsToPose, with a Mercator
+// projection whose scale is that of the first packet's latitude.
+std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets);
+
 }  // namespace cvo

@@ -6,15 +6,12 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/files/csv_file.h"
+#include "core/files/images/image_file.h"
+#include "core/files/text_file.h"
+#include "experiments/datasets/formats/image_format.h"
 
 namespace cvo {
-
-const std::string_view kObjectsHeader =
-    "frame,id,name,category,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,length_m,width_m,height_m,"
-    "visible_px,alone_px,visible_fraction,truncation,visible_left,visible_top,visible_right,"
-    "visible_bottom,amodal_left,amodal_top,amodal_right,amodal_bottom";
-const std::string_view kTargetsHeader = "frame,corner,x,y,z";
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -94,8 +91,36 @@ void CheckSame(const CsvFile& file, std::size_t row, const SceneBody& body,
                    first.size_m.transpose()));
 }
 
+std::string Describe(int type, cv::Size size) {
+  return StrCat(size.width, "x", size.height, " pixels of ", CV_MAT_CN(type), " x ",
+                8 * CV_ELEM_SIZE1(type), " bits");
+}
+
+cv::Mat Decode(const fs::path& path, int type, cv::Size size) {
+  const std::string bytes = ReadFileBytes(path);
+  const std::string expected = Describe(type, size);
+  if (path.extension() == ".png") {
+    if (const auto damage = FindPngDamage(bytes)) ThrowError(path.string(), *damage, expected);
+  }
+  cv::Mat image;
+  try {
+    image = DecodeImage(bytes, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception& error) {
+    ThrowError(path.string(), StrCat("one that OpenCV refuses (", error.err, ")"), expected);
+  }
+  if (image.empty()) ThrowError(path.string(), "an image that cannot be decoded", expected);
+  if (image.type() != type || image.size() != size) {
+    ThrowError(path.string(), Describe(image.type(), image.size()), expected);
+  }
+  return image;
+}
+
 }  // namespace
 
+const std::string_view kObjectsHeader =
+    "frame,id,name,category,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,length_m,width_m,height_m,"
+    "visible_px,alone_px,visible_fraction,truncation,visible_left,visible_top,visible_right,"
+    "visible_bottom,amodal_left,amodal_top,amodal_right,amodal_bottom";
 std::vector<std::vector<SceneBody>> ReadSceneBodies(const std::filesystem::path& path,
                                                     int frame_count) {
   const CsvFile file(path, kObjectsHeader);
@@ -120,30 +145,19 @@ std::vector<std::vector<SceneBody>> ReadSceneBodies(const std::filesystem::path&
   return truth;
 }
 
-bool IsMover(const std::vector<std::vector<SceneBody>>& bodies, int id) {
-  constexpr double kSlowest = 1e-3;  // m/s and rad/s
-  const std::size_t index = static_cast<std::size_t>(id) - 1;
-  return std::any_of(bodies.begin(), bodies.end(), [&](const std::vector<SceneBody>& frame) {
-    return frame[index].velocity_in_world.norm() > kSlowest ||
-           frame[index].angular_velocity_in_world.norm() > kSlowest;
-  });
+cv::Mat ReadDepth(const fs::path& path, cv::Size size) {
+  cv::Mat depth = Decode(path, CV_32FC1, size);
+  for (int v = 0; v < depth.rows; ++v) {
+    const float* row = depth.ptr<float>(v);
+    for (int u = 0; u < depth.cols; ++u) {
+      if (std::isfinite(row[u]) && row[u] >= 0.0F) continue;
+      ThrowError(StrCat(path.string(), ": pixel ", u, ", ", v), StrCat(row[u]),
+                 "a finite depth that is not negative");
+    }
+  }
+  return depth;
 }
 
-std::vector<TargetCorner> ReadTargetCorners(const std::filesystem::path& path) {
-  const CsvFile file(path, kTargetsHeader);
-  std::vector<TargetCorner> corners;
-  for (std::size_t row = 0; row < file.rows(); ++row) {
-    const TargetCorner corner = {file.Integer(row, 0), file.Integer(row, 1),
-                                 ReadVector(file, row, 2)};
-    if (corner.frame < 0 || corner.corner < 0 || !(corner.p_in_left.z() > 0.0)) {
-      file.Fail(row,
-                StrCat("frame ", corner.frame, ", corner ", corner.corner, ", depth ",
-                       corner.p_in_left.z()),
-                "numbers from 0 and a positive depth");
-    }
-    corners.push_back(corner);
-  }
-  return corners;
-}
+cv::Mat ReadInstances(const fs::path& path, cv::Size size) { return Decode(path, CV_16UC1, size); }
 
 }  // namespace cvo

@@ -41,33 +41,14 @@ struct SceneBody {
 };
 
 extern const std::string_view kObjectsHeader;
-extern const std::string_view kTargetsHeader;
 
 // Reads objects.csv as [frame][id - 1]: every body in every frame, in this order. Names, categories
 // and sizes must be the same in all frames. Throws Error with file and line.
 std::vector<std::vector<SceneBody>> ReadSceneBodies(const std::filesystem::path& path,
                                                     int frame_count);
 
-// Whether the body moves in any frame: more than 1 mm/s or 1 mrad/s.
-bool IsMover(const std::vector<std::vector<SceneBody>>& bodies, int id);
-
 // Throw Error unless the file is complete and of the expected kind and size.
 cv::Mat ReadDepth(const std::filesystem::path& path, cv::Size size);      // CV_32FC1, m; 0: nothing
 cv::Mat ReadInstances(const std::filesystem::path& path, cv::Size size);  // CV_16UC1; 0: background
-
-// Optical flow in KITTI's format, from a pixel to the position of its point in the next frame.
-struct TruthFlow {
-  cv::Mat flow_px;  // CV_32FC2: (u, v)
-  cv::Mat valid;    // CV_8UC1: 255 where there is flow, else 0
-};
-TruthFlow ReadFlow(const std::filesystem::path& path, cv::Size size);
-
-// A corner of a rendered calibration target.
-struct TargetCorner {
-  int frame = 0;   // of calibration/image_0 and image_1
-  int corner = 0;  // within the frame
-  Eigen::Vector3d p_in_left;
-};
-std::vector<TargetCorner> ReadTargetCorners(const std::filesystem::path& path);
 
 }  // namespace cvo

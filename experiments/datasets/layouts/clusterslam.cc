@@ -13,13 +13,11 @@
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/body_truth_parts.h"
+#include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/formats/data_rows.h"
-#include "experiments/datasets/formats/timestamps.h"
-#include "experiments/datasets/image_files.h"
-#include "experiments/datasets/sequence_layout.h"
+#include "experiments/datasets/images.h"
+#include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_parts.h"
-#include "experiments/datasets/sequence_type.h"
 
 namespace cvo {
 namespace {

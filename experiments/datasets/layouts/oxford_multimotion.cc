@@ -14,12 +14,10 @@
 #include "core/base/lists.h"
 #include "core/files/text_file.h"
 #include "experiments/calibration/rig_file.h"
-#include "experiments/datasets/body_truth_parts.h"
+#include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/formats/data_rows.h"
-#include "experiments/datasets/formats/oxts.h"
-#include "experiments/datasets/sequence_layout.h"
+#include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_parts.h"
-#include "experiments/datasets/sequence_type.h"
 
 namespace cvo {
 namespace {

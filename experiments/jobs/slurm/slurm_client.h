@@ -2,49 +2,81 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
+#include <filesystem>
 #include <map>
-#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
-#include "experiments/jobs/capture.h"
 #include "experiments/jobs/engine.h"
-#include "experiments/jobs/slurm/slurm_array.h"
 
 namespace cvo {
 
-// Relevant configuration of the Slurm installation.
-struct SlurmSetup {
-  std::size_t array_size = 0;  // maximum number of tasks in one array
-  bool accounting = false;     // sacct knows tasks that have left the queue
+// One job array. Its folder holds everything that it needs and writes: array.json, tasks.sh,
+// end/<number>, and out/<number> (the output of Slurm itself). Any process that finds the folder
+// can follow the array.
+struct SlurmArray {
+  static constexpr int kSchemaVersion = 1;
+  static constexpr const char* kKind = "slurm_array";
+  struct Entry {
+    std::string name;  // Task::name
+
+    template <typename Self, typename Archive>
+    static void VisitFields(Self& self, Archive& archive) {
+      archive.Field("name", self.name);
+    }
+  };
+  std::filesystem::path folder;
+  std::string name;          // Slurm's job name, unique to this array
+  std::vector<Entry> tasks;  // by task number
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("name", self.name);
+    archive.Field("tasks", self.tasks);
+  }
 };
+
+// Writes the array to a new folder in `root`, which is created if necessary. Throws Error if it
+// cannot be written.
+SlurmArray WriteSlurmArray(const std::filesystem::path& root, std::span<const Task> tasks);
+// Returns all arrays that earlier runs left in `root`, ordered by folder. A folder that was not
+// completely written was never submitted and is removed.
+std::vector<SlurmArray> ReadSlurmArrays(const std::filesystem::path& root);
+// Removes the array's folder, which may stay if a node still holds a file in it open.
+void RemoveSlurmArray(const SlurmArray& array);
+
+// What the script of a task wrote when the task had ended.
+struct SlurmEnd {
+  int code = 0;
+  double seconds = 0.0;
+};
+// By task number. An incomplete file counts as none.
+std::map<std::size_t, SlurmEnd> ReadSlurmEnds(const SlurmArray& array);
+TaskEnd EndByCode(const Task& task, const SlurmEnd& end);
+// Returns how a task ended that was ended by Slurm ("CANCELLED", "TIMEOUT", ...), or that left the
+// queue without a state (`state` is empty).
+TaskEnd EndByState(const SlurmArray& array, std::size_t number, const std::string& state);
 
 // One task known to the queue: waiting, running or recently ended.
 struct SlurmTask {
   std::string job;     // job id of the array: "123"
   std::string state;   // "PENDING", "RUNNING", "COMPLETED", ...
   std::string reason;  // why it is waiting
+
+  // False if it has ended for good: Slurm will not requeue it by itself.
+  bool IsAlive() const;
 };
 // Tasks by (name of the array, task number).
 using SlurmQueue = std::map<std::pair<std::string, std::size_t>, SlurmTask>;
-
-// Whether a task in this state has ended for good: Slurm will not requeue it by itself.
-bool IsTaskFinished(const std::string& state);
-
-enum class SlurmRefusal {
-  kPermanent,  // an unknown partition, too much memory, ...
-  kLimit,      // too many tasks, or another limit of this user; Slurm does not say which
-  kQueueFull,  // too many tasks in the queue at the moment
-};
 
 // Outcome of submitting an array.
 struct SlurmSubmitted {
   std::string job;      // job id; empty if refused
   std::string refused;  // Slurm's message
-  SlurmRefusal refusal = SlurmRefusal::kPermanent;
+  bool full = false;    // refused for the number of tasks, of all users or of this one
 };
 
 // Thrown when Slurm does not respond. Tasks already submitted continue without us.
@@ -60,23 +92,19 @@ class SlurmClient {
  public:
   SlurmClient(double patience_s, EngineHooks hooks);
 
-  // Throws Error if Slurm is not installed or does not allow arrays.
-  SlurmSetup Setup() const;
+  // Returns the maximum number of tasks in one array. Throws Error if Slurm is not installed or
+  // does not allow arrays.
+  std::size_t ArraySize() const;
   SlurmQueue Queue(const std::vector<std::string>& names) const;
   SlurmSubmitted Submit(const SlurmArray& array, const std::vector<std::string>& flags) const;
   // Cancels jobs or tasks ("123", "123_4"). Those that have ended are ignored.
   void Cancel(const std::vector<std::string>& jobs) const;
-  // Returns the final state of a task that left the queue, such as "TIMEOUT" or "CANCELLED by 0";
-  // empty if unknown.
-  std::string AccountedState(const std::string& job, std::size_t number) const;
 
   // Waits, polling `stop`. Returns false as soon as that returns true.
   bool Pause(double seconds) const;
 
  private:
-  using Judge = std::function<bool(const Captured&)>;
-  Captured Ask(const std::vector<std::string>& argv, double patience_s, const Judge& silent) const;
-  std::optional<std::string> Find(const std::string& name) const;
+  Captured Ask(const std::vector<std::string>& argv, double patience_s) const;
 
   double patience_s_;
   EngineHooks hooks_;

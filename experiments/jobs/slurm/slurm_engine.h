@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,8 +33,6 @@ class SlurmEngine : public Engine {
   explicit SlurmEngine(SlurmOptions options);
 
   void Run(std::span<const Task> tasks, const EngineHooks& hooks) override;
-
-  void KeepOnly(const std::set<std::string>& names, const EngineHooks& hooks) override;
   double latency_s() const override { return options_.latency_s; }
 
  private:

@@ -7,9 +7,32 @@
 #include <vector>
 
 #include "core/files/json/json_record.h"
-#include "experiments/metrics/kitti_ap/box_overlap.h"
+#include "experiments/datasets/sequence.h"
 
 namespace cvo {
+
+// Whether the box is of this KITTI class, ignoring case.
+bool IsOfClass(const ObjectBox& box, const std::string& category);
+
+// Whether the box is of a class so similar to `category` that matching a detection to it is not
+// penalised: vans for cars, sitting persons for pedestrians (tracking files call them "Person").
+bool IsNeighbour(const ObjectBox& box, const std::string& category);
+
+// Whether the label marks a region in which objects were not labelled.
+bool IsDontCare(const ObjectBox& label);
+
+// The space in which the overlap of two boxes is measured: the image, the ground plane (x-z of
+// rectified camera 0), or 3D.
+enum class BoxSpace { kImage, kBirdsEye, kVolume };
+constexpr std::array<const char*, 3> EnumNames(BoxSpace) { return {"2d", "bv", "3d"}; }
+
+// Intersection over union, in [0, 1]; 0 if a box has no extent in that space. On the ground plane,
+// boxes are rectangles of length x width rotated by their heading. Their height extends upwards
+// (-y) from the centre of the bottom face.
+double IntersectionOverUnion(BoxSpace space, const ObjectBox& a, const ObjectBox& b);
+
+// Intersection in the image over the area of `detection`, in [0, 1].
+double ShareInside(const ObjectBox& detection, const ObjectBox& region);
 
 enum class ApLevel { kEasy, kModerate, kHard };
 constexpr std::array<const char*, 3> EnumNames(ApLevel) { return {"easy", "moderate", "hard"}; }

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/objects/clustering_metrics.h"
-
 #include <algorithm>
 #include <map>
 #include <utility>
 
 #include "core/base/error.h"
+#include "experiments/metrics/objects/object_scores.h"
 
 namespace cvo {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/objects/object_metrics.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "experiments/metrics/objects/object_scores.h"
 
 namespace cvo {
 namespace {

@@ -6,11 +6,12 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "core/base/mean.h"
+#include "core/base/lists.h"
 #include "experiments/metrics/alignment.h"
-#include "experiments/metrics/max_drift.h"
+#include "experiments/metrics/camera_metrics.h"
 
 namespace cvo {
+
 namespace {
 
 // Common frames of a body and its cluster, with the estimate in the world of the truth.

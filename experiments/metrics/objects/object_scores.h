@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "experiments/metrics/objects/object_matching.h"
+#include "experiments/metrics/pose_errors.h"
 #include "reports/results/body_row.h"
 
 namespace cvo {
@@ -35,5 +36,23 @@ RigidTransform AlignByCamera(const OptionalPoses& truth, const OptionalPoses& es
 
 // Throws Error as CheckEstimate does.
 ObjectScores ScoreObjects(const ObjectTruth& truth, const ObjectEstimate& estimate);
+
+// Computes the object metrics, in a fixed order: object_* over moving bodies, object_predicted_*
+// over the frames in which their estimate does not count (Counts), object_standing_* over
+// stationary bodies, and the number of clusters without a body. A metric that the bodies do not
+// determine is absent.
+std::vector<Metric> ObjectMetrics(const ObjectTruth& truth, const ObjectScores& scores);
+
+// Measures how well observed landmarks are assigned to bodies: moving_precision and moving_recall;
+// cluster_purity, which also counts stationary bodies; clustering_iou (the cluster of a body is
+// that of `matches`) and clustering_ari. Landmarks of unknown truth, and those on a body that has
+// not moved yet, are left out. Landmarks on a body that has stopped still count as that body's.
+// A metric that the landmarks do not determine is absent.
+std::vector<Metric> ClusteringMetrics(const ObjectTruth& truth, const ObjectEstimate& estimate,
+                                      const std::vector<ObjectMatch>& matches);
+
+// Adjusted Rand index of two labellings of the same items (Hubert and Arabie 1985). An item with a
+// negative label is a group of its own. 1 if both labellings agree on every pair.
+double AdjustedRandIndex(const std::vector<int>& a, const std::vector<int>& b);
 
 }  // namespace cvo

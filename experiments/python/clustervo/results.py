@@ -4,7 +4,6 @@
 
 import csv
 import json
-import warnings
 from dataclasses import dataclass
 from decimal import Decimal
 from pathlib import Path
@@ -12,7 +11,7 @@ from typing import Optional
 
 import numpy as np
 
-_SCHEMA_VERSIONS = (3, 2)  # of result.json
+_SCHEMA_VERSION = 3  # of result.json
 # Columns by type; all others are numbers. An empty field is "", -1 or NaN.
 _TEXT = {"category", "status"}
 _INTEGER = {
@@ -67,13 +66,10 @@ def matrices(rows, prefix=""):
 
 def _read_result(path):
     result = json.loads(path.read_text(encoding="utf-8"))
-    for field, expected in (("kind", ("run",)), ("schema_version", _SCHEMA_VERSIONS)):
-        if result.get(field) not in expected:
+    for field, expected in (("kind", "run"), ("schema_version", _SCHEMA_VERSION)):
+        if result.get(field) != expected:
             raise ValueError(
-                f"{path}: found {field} {result.get(field)!r}, expected {expected[0]!r}")
-    if result["schema_version"] != _SCHEMA_VERSIONS[0]:
-        warnings.warn(f"{path}: schema_version {result['schema_version']}: its contracts are "
-                      "sentences, comparable only with each other")
+                f"{path}: found {field} {result.get(field)!r}, expected {expected!r}")
     return result
 
 

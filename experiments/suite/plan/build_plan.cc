@@ -17,19 +17,56 @@
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_files.h"
-#include "experiments/suite/cell_input.h"
-#include "experiments/suite/plan/data_folder.h"
-#include "experiments/suite/plan/detector_boxes.h"
-#include "experiments/suite/plan/scenes.h"
-#include "experiments/suite/suite_grid.h"
-#include "synth/write/manifest.h"
+#include "experiments/suite/job_input.h"
+#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/suite.h"
+#include "synth/write/render_cache.h"
 
 namespace cvo {
+
+std::string Describe(const PlanJob& job) {
+  std::string text = StrCat(job.sequence, " ", job.system.empty() ? job.variant : job.system);
+  if (job.system.empty()) text += StrCat(", seed ", job.seed);
+  for (const auto& [path, value] : job.parameters.items()) {
+    text += StrCat(", ", path, "=", value.dump());
+  }
+  for (std::size_t i = 0; i < job.oracle.size(); ++i) {
+    text += StrCat(i == 0 ? ", oracle " : "+", job.oracle[i]);
+  }
+  return text;
+}
+
+std::string PlanText(const Plan& plan) {
+  reports::PlanFile file;
+  file.suite = {plan.suite.name, plan.suite.about, SplitOf(plan.suite)};
+  file.build = plan.build;
+  file.data = plan.data;
+  file.table = plan.suite.table;
+  file.definition = SuiteToJson(plan.suite);
+  file.jobs = plan.jobs;
+  return FileText(file);
+}
+
+Plan ParsePlan(const Json& json, const std::string& where) {
+  auto read = ReadRecord<reports::PlanFile>(json, where);
+  Plan plan;
+  plan.suite = ReadCheckedSuite(read.definition, where + ", definition");
+  plan.build = read.build;
+  plan.data = read.data;
+  plan.jobs = std::move(read.jobs);
+  for (const PlanJob& job : plan.jobs) {
+    if (job.entry < plan.suite.sequences.size()) continue;
+    ThrowError(where + ", jobs", "a job on a sequence that the suite does not have",
+               StrCat("one of its ", plan.suite.sequences.size()));
+  }
+  return plan;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
 
-// The input shared by cells that differ only in variant, options or oracle.
+// The input shared by jobs that differ only in variant, options or oracle.
 struct Input {
   std::string folder;
   std::string missing;
@@ -42,12 +79,19 @@ struct Input {
   std::map<std::string, std::string> front_end_keys;  // by front-end options
 };
 
-// What cells of one variant at one grid point share.
+// What jobs of one variant at one grid point share.
 struct Resolved {
   Options options;
   std::string identity_head;
   std::string front_end;  // front-end options, as text
 };
+// The job as it is once its input is located.
+PlanJob WithInput(PlanJob job, const Input& input) {
+  job.folder = input.folder;
+  job.boxes = input.boxes;
+  return job;
+}
+
 constexpr std::size_t kNameDigits = 8;
 constexpr std::size_t kMaxResolved = 10'000;  // 7 kB each
 
@@ -70,17 +114,18 @@ class Planner {
   BuiltPlan Build();
 
  private:
-  Input& InputOf(const Cell& cell);
-  const Resolved& ResolvedOf(const Cell& cell);
+  const SuiteSequence& SequenceOf(const PlanJob& job) const { return suite_.sequences[job.entry]; }
+  Input& InputOf(const PlanJob& job);
+  const Resolved& ResolvedOf(const PlanJob& job);
   const std::string& FrontEndKeyOf(const Resolved& resolved, Input& input) const;
-  Input FindInput(const Cell& cell);
-  void Open(const Cell& cell, Input& input);
+  Input FindInput(const PlanJob& job);
+  void Open(const PlanJob& job, Input& input);
   std::vector<std::string> Hashes(const std::vector<fs::path>& files);
   bool IsRendered(RenderedScene& scene);
-  PlannedJob PlanCell(const Cell& cell);
-  void IdentifyFiles(const Input& input, PlannedJob& job) const;
-  void AddRender(const RenderedScene& scene, const Cell& cell);
-  void FindBoxes(const Cell& cell, Input& input);
+  void PlanInput(PlanJob& job);
+  void IdentifyFiles(const Input& input, PlanJob& job) const;
+  void AddRender(const RenderedScene& scene, const PlanJob& job);
+  void FindBoxes(const PlanJob& job, Input& input);
   void OrderPreparations();
 
   const Suite& suite_;
@@ -97,20 +142,20 @@ class Planner {
   std::set<fs::path> wanted_outputs_;
 };
 
-void Planner::AddRender(const RenderedScene& scene, const Cell& cell) {
+void Planner::AddRender(const RenderedScene& scene, const PlanJob& job) {
   if (!wanted_outputs_.insert(scene.folder).second) return;
   const std::string name =
-      StrCat("render-", cell.sequence.name, "-", scene.folder.parent_path().filename().string());
+      StrCat("render-", job.sequence, "-", scene.folder.parent_path().filename().string());
   wanted_.push_back({scene.drawing,
-                     {name, cell.sequence.name, scene.folder, scene.arguments, scene.frames,
+                     {name, job.sequence, scene.folder, scene.arguments, scene.frames,
                       scene.drawn ? Stage::kNoise : Stage::kDrawing}});
 }
 
 // Locates the file of a detector's boxes; adds a preparation if it does not exist or is damaged.
-void Planner::FindBoxes(const Cell& cell, Input& input) {
-  const Sequence sequence = OpenSequence(RequestOf(cell, input.folder, data_.root(), ""));
+void Planner::FindBoxes(const PlanJob& job, Input& input) {
+  const Sequence sequence = OpenSequence(RequestOf(suite_, WithInput(job, input), data_.root()));
   input.frames = static_cast<int>(sequence.images.size());
-  const DetectorInput detector = {cell.sequence, sequence, data_.root()};
+  const DetectorInput detector = {SequenceOf(job), sequence, data_.root()};
   const fs::path file =
       BoxesFile(detector, FindImageHashes(sequence, hash_index_, pool_, hooks_),
                 Absolute(request_.cache), [this](const auto& files) { return Hashes(files); });
@@ -123,10 +168,10 @@ void Planner::FindBoxes(const Cell& cell, Input& input) {
   input.missing = kNotDetected;
   if (!wanted_outputs_.insert(file).second) return;
   const std::string name =
-      StrCat("detect-", cell.sequence.name, "-", file.stem().string().substr(0, kNameDigits));
-  wanted_.push_back({"",
-                     {name, cell.sequence.name, file, DetectArguments(detector, file), input.frames,
-                      Stage::kBoxes}});
+      StrCat("detect-", job.sequence, "-", file.stem().string().substr(0, kNameDigits));
+  wanted_.push_back(
+      {"",
+       {name, job.sequence, file, DetectArguments(detector, file), input.frames, Stage::kBoxes}});
 }
 
 std::vector<std::string> Planner::Hashes(const std::vector<fs::path>& files) {
@@ -156,78 +201,78 @@ void Planner::OrderPreparations() {
                    [](const auto& a, const auto& b) { return a.second.stage < b.second.stage; });
 }
 
-void Planner::Open(const Cell& cell, Input& input) {
-  if (!cell.sequence.detector.model.empty()) FindBoxes(cell, input);
+void Planner::Open(const PlanJob& job, Input& input) {
+  if (!SequenceOf(job).detector.model.empty()) FindBoxes(job, input);
   if (!input.missing.empty()) return;
-  input.sequence = OpenSequence(RequestOf(cell, input.folder, data_.root(), input.boxes));
+  input.sequence = OpenSequence(RequestOf(suite_, WithInput(job, input), data_.root()));
   input.frames = static_cast<int>(input.sequence.images.size());
   const auto hash = [this](const auto& files) { return Hashes(files); };
-  if (cell.sequence.scene.empty()) RequireAsRendered(input.sequence, hash);
+  if (SequenceOf(job).scene.empty()) RequireAsRendered(input.sequence, hash);
   input.images = FindImageHashes(input.sequence, hash_index_, pool_, hooks_);
   input.content = ContentHash(input.sequence, input.images);
   input.detections = DetectionsHash(input.sequence);
 }
 
-Input Planner::FindInput(const Cell& cell) {
+Input Planner::FindInput(const PlanJob& job) {
   Input input;
   try {
-    const std::string lacking = FindMissingFile(cell.sequence, data_.root());
+    const std::string lacking = FindMissingFile(SequenceOf(job), data_.root());
     if (!lacking.empty() && !data_.root().empty()) {
       input.missing = StrCat(kNoFile, lacking, " below ", data_.root().string());
     }
-    if (cell.sequence.scene.empty()) {
-      const DataFolder::Found found = data_.Find(cell.sequence.folder);
+    if (SequenceOf(job).scene.empty()) {
+      const DataFolder::Found found = data_.Find(SequenceOf(job).folder);
       if (input.missing.empty() || !found.missing.empty()) input.missing = found.missing;
       if (!input.missing.empty()) return input;
       input.folder = found.folder.string();
-      Open(cell, input);
+      Open(job, input);
       return input;
     }
     if (!input.missing.empty()) return input;
-    RenderedScene scene = scenes_.Find(cell.sequence, cell.parameters, cell.seed);
+    RenderedScene scene = scenes_.Find(SequenceOf(job), job.parameters, job.seed);
     if (!IsRendered(scene)) {
-      AddRender(scene, cell);
+      AddRender(scene, job);
       input.missing = kNotRendered;
       input.frames = scene.frames;
       return input;
     }
     input.folder = scene.folder.string();
-    Open(cell, input);
+    Open(job, input);
   } catch (const Error& error) {
     input.missing = error.what();
   }
   return input;
 }
 
-Input& Planner::InputOf(const Cell& cell) {
-  const SuiteSequence& sequence = cell.sequence;
+Input& Planner::InputOf(const PlanJob& job) {
+  const SuiteSequence& sequence = SequenceOf(job);
   std::string key =
       StrCat(sequence.name, "\n", sequence.detections, "\n",
-             PerturbationToJson(PerturbationOf(sequence, cell.parameters, cell.seed)).dump(), "\n",
+             PerturbationToJson(PerturbationOf(sequence, job.parameters, job.seed)).dump(), "\n",
              sequence.layout.dump(), "\n");
   if (!sequence.scene.empty()) {
-    key += std::to_string(cell.seed);
-    for (const std::string& assignment : SceneAssignments(sequence, cell.parameters)) {
+    key += std::to_string(job.seed);
+    for (const std::string& assignment : SceneAssignments(sequence, job.parameters)) {
       key += "\n" + assignment;
     }
   }
   const auto found = inputs_.find(key);
   return found != inputs_.end() ? found->second
-                                : inputs_.emplace(key, FindInput(cell)).first->second;
+                                : inputs_.emplace(key, FindInput(job)).first->second;
 }
 
-const Resolved& Planner::ResolvedOf(const Cell& cell) {
-  std::string key = cell.variant;
-  for (const auto& [path, value] : cell.parameters) {
+const Resolved& Planner::ResolvedOf(const PlanJob& job) {
+  std::string key = job.variant;
+  for (const auto& [path, value] : job.parameters.items()) {
     if (IsOptionPath(path)) key += StrCat("\n", path, "=", value.dump());
   }
   const auto found = resolved_.find(key);
   if (found != resolved_.end()) return found->second;
   if (resolved_.size() >= kMaxResolved) resolved_.clear();
   Resolved resolved;
-  resolved.options = OptionsOf(suite_, cell.variant, cell.parameters);
+  resolved.options = OptionsOf(suite_, job.variant, job.parameters);
   const Json options = OptionsToJson(OptionLeaves(resolved.options));
-  resolved.identity_head = IdentityHead(build_.identity, cell.variant, options);
+  resolved.identity_head = IdentityHead(build_.identity, job.variant, options);
   resolved.front_end = options["orb"].dump() + options["stereo"].dump();
   return resolved_.emplace(key, std::move(resolved)).first->second;
 }
@@ -247,34 +292,35 @@ const std::string& Planner::FrontEndKeyOf(const Resolved& resolved, Input& input
   return found->second;
 }
 
-void Planner::IdentifyFiles(const Input& input, PlannedJob& job) const {
+void Planner::IdentifyFiles(const Input& input, PlanJob& job) const {
   try {
-    job.job = IdentifySystem(
-        {.sequence = input.sequence,
-         .content = input.content,
-         .files = SystemFilesOf(suite_, job.cell, data_.root(), Absolute(request_.cache)),
-         .seed = job.cell.seed});
+    job.job =
+        IdentifySystem({.sequence = input.sequence,
+                        .content = input.content,
+                        .files = SystemFilesOf(suite_, job, data_.root(), Absolute(request_.cache)),
+                        .seed = job.seed});
   } catch (const Error& error) {
     job.missing = error.what();
   }
 }
 
-PlannedJob Planner::PlanCell(const Cell& cell) {
-  Input& input = InputOf(cell);
-  PlannedJob job{cell, input.folder, input.missing, input.frames, input.content,
-                 "",   "",           input.boxes};
-  if (!job.missing.empty()) return job;
-  if (!cell.system.empty()) {
+void Planner::PlanInput(PlanJob& job) {
+  Input& input = InputOf(job);
+  job = WithInput(job, input);
+  job.missing = input.missing;
+  job.frames = input.frames;
+  job.content = input.content;
+  if (!job.missing.empty()) return;
+  if (!job.system.empty()) {
     IdentifyFiles(input, job);
-    return job;
+    return;
   }
-  const Resolved& resolved = ResolvedOf(cell);
+  const Resolved& resolved = ResolvedOf(job);
   job.input = FrontEndKeyOf(resolved, input);
   job.job = JobIdentity(
       resolved.identity_head,
       {input.content, input.detections,
-       Given(input.sequence, ClassesOf(cell.sequence), OracleOf(cell.oracle)), cell.seed});
-  return job;
+       Given(input.sequence, ClassesOf(SequenceOf(job)), OracleOf(job.oracle)), job.seed});
 }
 
 BuiltPlan Planner::Build() {
@@ -282,11 +328,10 @@ BuiltPlan Planner::Build() {
   built.plan.suite = suite_;
   built.plan.build = build_.identity;
   built.plan.data = data_.root().string();
-  const std::vector<Cell> cells = ExpandSuite(suite_);
-  built.plan.jobs.reserve(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    built.plan.jobs.push_back(PlanCell(cells[i]));
-    if (request_.progress) request_.progress(i + 1, cells.size());
+  built.plan.jobs = ExpandSuite(suite_);
+  for (std::size_t i = 0; i < built.plan.jobs.size(); ++i) {
+    PlanInput(built.plan.jobs[i]);
+    if (request_.progress) request_.progress(i + 1, built.plan.jobs.size());
   }
   OrderPreparations();
   for (auto& [key, wanted] : wanted_) built.preparations.push_back(std::move(wanted));

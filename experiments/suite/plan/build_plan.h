@@ -7,19 +7,47 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "experiments/cache/cache_size.h"
-#include "experiments/suite/plan/plan.h"
+#include "core/files/json/json.h"
+#include "experiments/cache/cache_folder.h"
+#include "experiments/suite/suite.h"
 
 namespace cvo {
+
+// Values of PlanJob::missing for input that only has to be made first.
+inline constexpr char kNotRendered[] = "not rendered yet";
+inline constexpr char kNotDetected[] = "boxes not found yet";
+inline bool IsPending(const std::string& missing) {
+  return missing == kNotRendered || missing == kNotDetected;
+}
+
+// PlanJob::missing starts with this if a file of boxes, labels or a network does not exist,
+// which is not a failure.
+inline constexpr std::string_view kNoFile = "no file ";
+
+// Everything that a suite runs, as stored in plan.json in its output folder.
+struct Plan {
+  Suite suite;
+  std::string build;  // BuildInfo::identity
+  std::string data;   // absolute path to the files of boxes, labels and systems; empty: none
+  std::vector<PlanJob> jobs;
+};
+
+// Describes a job to the user, as in "indoor_1 full, seed 3, pairwise.alpha=5".
+std::string Describe(const PlanJob& job);
+
+// Returns the content of plan.json, a reports::PlanFile.
+std::string PlanText(const Plan& plan);
+Plan ParsePlan(const Json& json, const std::string& where);
 
 struct PlanRequest {
   std::filesystem::path data;                 // searched for sequence folders; empty: there is none
   std::filesystem::path cache;                // synth::CacheFolder()
   int threads = 1;                            // for hashing images
   Notice notice = [](const std::string&) {};  // reports damaged cache entries, which only cost time
-  // Counts cells; may be empty.
+  // Counts jobs; may be empty.
   std::function<void(std::size_t done, std::size_t total)> progress;
 };
 
@@ -43,7 +71,7 @@ struct BuiltPlan {
   std::vector<Preparation> preparations;
 };
 
-// Locates the input of every cell: rendered scenes in the cache, folders below the data folder.
+// Locates the input of every job: rendered scenes in the cache, folders below the data folder.
 // Images are not decoded, and those that FindImageHashes knows are not read. Missing input is
 // recorded in the job, never thrown.
 BuiltPlan BuildPlan(const Suite& suite, const PlanRequest& request);

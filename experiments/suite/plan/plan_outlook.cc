@@ -2,101 +2,63 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/suite/plan/plan_outlook.h"
 
+#include <map>
 #include <set>
 
 #include "core/base/error.h"
-#include "core/files/json/options_json.h"
-#include "experiments/suite/cell_input.h"
 #include "reports/results/timing.h"
 
 namespace cvo {
 namespace {
 
-constexpr int kFilesRead = 5;  // per variant
+constexpr int kFilesRead = 20;
+constexpr double kAssumedFrame_s = 1.0 / 35.0;
 
-struct Mean {
-  double sum_s = 0.0;
-  int files = 0;
+// Identifies a job as the user sees it, regardless of what it is computed from.
+std::string NameOf(const PlanJob& job) { return Describe(job) + "\n" + job.detections; }
 
-  void Add(double seconds) {
-    sum_s += seconds;
-    ++files;
-  }
-};
-
-// Identifies a cell as the user sees it, regardless of what it is computed from.
-std::string NameOf(const Cell& cell) {
-  return DumpJson({{"sequence", cell.sequence.name},
-                   {"detections", cell.sequence.detections},
-                   {"variant", cell.variant},
-                   {"system", cell.system},
-                   {"seed", cell.seed},
-                   {"oracle", cell.oracle},
-                   {"parameters", ParametersOf(cell)}});
-}
-
-Json ResolvedOptions(const Suite& suite, const Cell& cell) {
-  Options options = OptionsOf(suite, cell.variant, cell.parameters);
-  return OptionsToJson(OptionLeaves(options));
-}
-
-std::string Differences(const Plan& plan, const PlannedJob& job, const Plan& earlier,
-                        const PlannedJob& before) {
+std::string Differences(const Plan& plan, const PlanJob& job, const Plan& earlier,
+                        const PlanJob& before) {
   std::string why;
   const auto add = [&why](bool differs, const char* what) {
     if (differs) why += (why.empty() ? "" : ", ") + std::string(what);
   };
   add(plan.build != earlier.build, "different build of the program");
   add(job.content != before.content, "the sequence has changed");
-  if (job.cell.system.empty()) {
-    add(ResolvedOptions(plan.suite, job.cell) != ResolvedOptions(earlier.suite, before.cell),
-        "different options");
-  }
+  add(job.system.empty() && plan.suite.options != earlier.suite.options, "different options");
   return why.empty() ? "different boxes or files" : why;
 }
 
-std::string ReasonToRun(const Plan& plan, const PlannedJob& job, const EarlierRuns& earlier,
-                        const std::map<std::string, const PlannedJob*>& before) {
+std::string ReasonToRun(const Plan& plan, const PlanJob& job, const EarlierRuns& earlier,
+                        const std::map<std::string, const PlanJob*>& before) {
   if (const std::string message = earlier.failed(job.job); !message.empty()) {
     return "failed before: " + message;
   }
-  const auto found = before.find(NameOf(job.cell));
+  const auto found = before.find(NameOf(job));
   if (found == before.end()) return earlier.plan ? "not in the previous plan" : "new";
-  if (found->second->job == job.job || found->second->job.empty()) return "not run yet";
+  const PlanJob& same = *found->second;
   // A job that was never computed cannot be outdated.
-  if (!earlier.done(*found->second)) return "not run yet";
-  return Differences(plan, job, *earlier.plan, *found->second);
+  if (same.job == job.job || same.job.empty() || !earlier.done(same)) return "not run yet";
+  return Differences(plan, job, *earlier.plan, same);
 }
 
-// Empty if the file cannot be read: the estimate can do without it.
-std::optional<double> FrameTimeOf(const std::filesystem::path& file) {
-  try {
-    const auto timing = ReadRecord<reports::TimingData>(file);
-    const double frames = static_cast<double>(timing.frames.size());
-    if (frames > 0.0) return timing.wall_s / frames;
-  } catch (const Error&) {
-  }
-  return std::nullopt;
-}
-
-double AssumedFrame_s(Stage stage) {
-  if (stage == Stage::kBoxes) return kAssumedBoxesFrame_s;
-  return kAssumedNoisyFrame_s + (stage == Stage::kDrawing ? kAssumedDrawnFrame_s : 0.0);
+double PreparedFrame_s(Stage stage) {
+  if (stage == Stage::kBoxes) return 0.2;
+  return stage == Stage::kDrawing ? 0.28 : 0.03;
 }
 
 }  // namespace
 
 std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& earlier) {
-  std::map<std::string, const PlannedJob*> before;
+  std::map<std::string, const PlanJob*> before;
   if (earlier.plan) {
-    for (const PlannedJob& job : earlier.plan->jobs) before.emplace(NameOf(job.cell), &job);
+    for (const PlanJob& job : earlier.plan->jobs) before.emplace(NameOf(job), &job);
   }
   std::vector<PredictedState> outlook;
-  for (const PlannedJob& job : plan.jobs) {
-    if (IsPending(job.missing)) {
-      outlook.push_back({JobState::kPrepares, job.missing});
-    } else if (!job.missing.empty()) {
-      outlook.push_back({JobState::kMissing, job.missing});
+  for (const PlanJob& job : plan.jobs) {
+    if (!job.missing.empty()) {
+      const bool pending = IsPending(job.missing);
+      outlook.push_back({pending ? JobState::kPrepares : JobState::kMissing, job.missing});
     } else if (earlier.done(job)) {
       outlook.push_back({JobState::kDone, ""});
     } else {
@@ -106,47 +68,41 @@ std::vector<PredictedState> PredictStates(const Plan& plan, const EarlierRuns& e
   return outlook;
 }
 
-std::map<std::string, double> MeasuredFrameTimes(
+std::optional<double> MeasuredFrameTime_s(
     const Plan& plan, const EarlierRuns& earlier,
     const std::function<std::filesystem::path(const std::string& job)>& folder_of) {
-  std::map<std::string, Mean> means;
-  const auto measure = [&](const PlannedJob& job) {
-    const std::string& variant = job.cell.variant;
-    if (job.job.empty() || variant.empty() || means[variant].files == kFilesRead) return;
-    if (!earlier.done(job)) return;
-    const auto frame_s = FrameTimeOf(folder_of(job.job) / "timing.json");
-    if (!frame_s) return;
-    means[variant].Add(*frame_s);
-    means[""].Add(*frame_s);
+  double sum_s = 0.0;
+  int files = 0;
+  const auto measure = [&](const PlanJob& job) {
+    if (files == kFilesRead || job.job.empty() || job.variant.empty() || !earlier.done(job)) return;
+    try {
+      const auto timing = ReadRecord<reports::TimingData>(folder_of(job.job) / "timing.json");
+      if (timing.frames.empty()) return;
+      sum_s += timing.wall_s / static_cast<double>(timing.frames.size());
+      ++files;
+    } catch (const Error&) {  // the estimate can do without it
+    }
   };
-  for (const PlannedJob& job : plan.jobs) measure(job);
+  for (const PlanJob& job : plan.jobs) measure(job);
   if (earlier.plan) {
-    for (const PlannedJob& job : earlier.plan->jobs) measure(job);
+    for (const PlanJob& job : earlier.plan->jobs) measure(job);
   }
-  std::map<std::string, double> times_s;
-  for (const auto& [variant, mean] : means) {
-    if (mean.files > 0) times_s[variant] = mean.sum_s / mean.files;
-  }
-  return times_s;
+  return files > 0 ? std::optional(sum_s / files) : std::nullopt;
 }
 
 double EstimatedSeconds(const BuiltPlan& built, const std::vector<PredictedState>& outlook,
-                        const std::map<std::string, double>& frame_times_s) {
+                        const std::optional<double>& frame_time_s) {
   double seconds = 0.0;
   for (const Preparation& preparation : built.preparations) {
-    seconds += preparation.frames * AssumedFrame_s(preparation.stage);
+    seconds += preparation.frames * PreparedFrame_s(preparation.stage);
   }
   std::set<std::string> counted;
   for (std::size_t i = 0; i < built.plan.jobs.size(); ++i) {
-    const PlannedJob& job = built.plan.jobs[i];
+    const PlanJob& job = built.plan.jobs[i];
     const JobState state = outlook.at(i).state;
-    if (state == JobState::kDone || state == JobState::kMissing || !job.cell.system.empty()) {
-      continue;
-    }
+    if (state == JobState::kDone || state == JobState::kMissing || !job.system.empty()) continue;
     if (!job.job.empty() && !counted.insert(job.job).second) continue;
-    auto found = frame_times_s.find(job.cell.variant);
-    if (found == frame_times_s.end()) found = frame_times_s.find("");
-    seconds += job.frames * (found == frame_times_s.end() ? kAssumedFrame_s : found->second);
+    seconds += job.frames * frame_time_s.value_or(kAssumedFrame_s);
   }
   return seconds;
 }

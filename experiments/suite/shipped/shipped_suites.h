@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace cvo {
@@ -17,5 +18,13 @@ std::vector<ShippedSuite> ShippedSuites();
 
 // The collections of suites (experiments/suite/collection.h).
 std::vector<ShippedSuite> ShippedCollections();
+
+// Another system's trajectory on a shipped scene, from a file of reports/reference/trajectories.
+struct ShippedTrajectory {
+  std::string_view system;
+  std::string_view scene;
+  std::string_view text;  // TUM poses after a line with the hash of the scene file
+};
+const std::vector<ShippedTrajectory>& ShippedTrajectories();
 
 }  // namespace cvo

@@ -1,20 +1,98 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/bodies/box_center.h"
-
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
+#include "core/bodies/body_boxes.h"
 #include "core/bodies/body_place.h"
 #include "core/estimation/cluster.h"
-#include "core/odometry/detection_policies.h"
+#include "core/odometry/cluster_update.h"
 
 namespace cvo::box_center_test {
 namespace {
 
 using Eigen::Vector3d;
+
+const Eigen::Vector3d kCenter(1.0, -2.0, 0.5);
+const Eigen::Matrix3d kInformation =
+    (Eigen::Matrix3d() << 9.0, 1.0, 0.5, 1.0, 4.0, 0.2, 0.5, 0.2, 1.0).finished();
+const RigidTransform kMotion(ExpSo3({0.4, -0.3, 0.9}), Eigen::Vector3d(3.0, 1.0, -2.0));
+
+// Along x, the boxes have information 1 and 3, so the mean is a quarter of the way from the second
+// to the first. The covariance is that of a single box of average information.
+TEST(CenterEstimate, WeightsBoxesByTheirInformation) {
+  CenterEstimate center;
+  center.Add(Eigen::Vector3d(4.0, 0.0, 0.0), Eigen::Vector3d(1.0, 1.0, 2.0).asDiagonal());
+  center.Add(Eigen::Vector3d(0.0, 2.0, 6.0), Eigen::Vector3d(3.0, 1.0, 4.0).asDiagonal());
+  EXPECT_EQ(center.boxes, 2);
+  EXPECT_LT((center.InObject() - Eigen::Vector3d(1.0, 1.0, 4.0)).norm(), 1e-12);
+  const Eigen::Matrix3d expected = Eigen::Vector3d(0.5, 1.0, 1.0 / 3.0).asDiagonal();
+  EXPECT_LT((center.Covariance() - expected).norm(), 1e-12);
+}
+
+TEST(CenterEstimate, MergingEqualsAddingAllBoxes) {
+  CenterEstimate a;
+  CenterEstimate b;
+  CenterEstimate all;
+  a.Add(kCenter, kInformation);
+  all.Add(kCenter, kInformation);
+  for (const double x : {2.0, 5.0}) {
+    b.Add(Eigen::Vector3d(x, 0.0, 1.0), Eigen::Matrix3d::Identity());
+    all.Add(Eigen::Vector3d(x, 0.0, 1.0), Eigen::Matrix3d::Identity());
+  }
+  a.Add(b);
+  EXPECT_EQ(a.boxes, 3);
+  EXPECT_LT((a.InObject() - all.InObject()).norm(), 1e-12);
+  EXPECT_LT((a.Covariance() - all.Covariance()).norm(), 1e-12);
+}
+
+// Adding boxes in another frame and transforming the estimate to it give the same result.
+TEST(CenterEstimate, TransformsWithItsFrame) {
+  CenterEstimate here;
+  here.Add(kCenter, kInformation);
+  here.Add(Eigen::Vector3d(2.0, 0.0, 1.0), Eigen::Matrix3d::Identity());
+  const CenterEstimate moved = here.In(kMotion);
+  EXPECT_EQ(moved.boxes, 2);
+  EXPECT_LT((moved.InObject() - kMotion * here.InObject()).norm(), 1e-12);
+  const Eigen::Matrix3d R = kMotion.RotationMatrix();
+  EXPECT_LT((moved.Covariance() - R * here.Covariance() * R.transpose()).norm(), 1e-12);
+  CenterEstimate there;
+  there.Add(kMotion, kCenter, kInformation);
+  there.Add(kMotion, Eigen::Vector3d(2.0, 0.0, 1.0), Eigen::Matrix3d::Identity());
+  EXPECT_LT((there.information - moved.information).norm(), 1e-12);
+  EXPECT_LT((there.weighted - moved.weighted).norm(), 1e-12);
+}
+
+TEST(BodySize, IsTakenFromTheLastWholeBox) {
+  BodySize size;
+  size.Add(1.0, false);
+  EXPECT_EQ(size.side_m, 1.0);
+  size.Add(0.5, false);
+  EXPECT_EQ(size.side_m, 1.0) << "the largest part";
+  size.Add(2.0, false);
+  EXPECT_EQ(size.side_m, 2.0);
+  EXPECT_FALSE(size.is_whole);
+  size.Add(1.5, true);
+  EXPECT_EQ(size.side_m, 1.5);
+  EXPECT_TRUE(size.is_whole);
+  size.Add(3.0, false);
+  EXPECT_EQ(size.side_m, 1.5) << "a part says nothing more";
+  size.Add(1.2, true);
+  EXPECT_EQ(size.side_m, 1.2);
+  EXPECT_TRUE(size.is_whole);
+}
+
+TEST(FindState, ReturnsTheStateOfExactlyThisFrame) {
+  Cluster cluster;
+  for (const int frame : {3, 5, 9}) cluster.states.push_back({FrameId{frame}, 0, {}});
+  for (const std::size_t i : {0u, 1u, 2u}) {
+    EXPECT_EQ(FindState(cluster, cluster.states[i].frame), &cluster.states[i]);
+  }
+  for (const int frame : {2, 4, 6, 10}) EXPECT_EQ(FindState(cluster, FrameId{frame}), nullptr);
+}
 
 // A ball of 0.6 m diameter at `center`, seen by a camera at `world_from_camera`. Only its right
 // half has texture, so the observed surface lies there.
@@ -101,19 +179,6 @@ TEST(BoxCenter, IsUncertainWhereAnEdgeMayNotBeTheBodys) {
   EXPECT_NEAR(DeviationAlong({5.0, 0.0, -3.9}, cut), 0.3 * cut.size_m, 1e-9);
 }
 
-TEST(BodySize, IsTakenFromTheLastWholeBoxOrTheLargestPart) {
-  BodySize size;
-  size.Add(0.4, false);
-  size.Add(0.3, false);
-  EXPECT_EQ(size.side_m, 0.4);
-  size.Add(0.5, true);
-  size.Add(0.9, false);
-  EXPECT_EQ(size.side_m, 0.5);
-  size.Add(0.35, true);
-  EXPECT_EQ(size.side_m, 0.35);
-  EXPECT_TRUE(size.is_whole);
-}
-
 TEST(CenterEstimate, TwoViewsResolveTheDepthThatOneCannot) {
   SeenBall ball;
   ball.depth_bias_m = 0.15;  // half a radius
@@ -125,21 +190,6 @@ TEST(CenterEstimate, TwoViewsResolveTheDepthThatOneCannot) {
   center.Add(side.center_in_world, side.information);
   EXPECT_EQ(center.boxes, 2);
   EXPECT_LT((center.InObject() - ball.center).norm(), 0.02);
-}
-
-TEST(CenterEstimate, IsTheSamePointInEveryFrame) {
-  SeenBall ball;
-  CenterEstimate center;
-  EXPECT_EQ(center.InObject(), Vector3d::Zero());
-  for (const RigidTransform& camera : {RigidTransform(), FromTheSide()}) {
-    const BoxCenter fix = ball.From(camera);
-    center.Add(fix.center_in_world, fix.information);
-  }
-  const RigidTransform new_from_old(ExpSo3({0.3, -0.4, 1.2}), Vector3d(1.0, -2.0, 0.5));
-  const CenterEstimate there = center.In(new_from_old);
-  EXPECT_LT((there.InObject() - new_from_old * center.InObject()).norm(), 1e-9);
-  EXPECT_EQ(there.boxes, 2);
-  EXPECT_LT((there.In(new_from_old.Inverse()).information - center.information).norm(), 1e-6);
 }
 
 }  // namespace

@@ -8,7 +8,8 @@
 #include <numeric>
 
 #include "core/base/rng.h"
-#include "core/clustering/depth_mode.h"
+#include "core/clustering/dense_crf.h"
+#include "core/clustering/label_matching.h"
 #include "core/clustering/point_extent.h"
 #include "tests/support/error_message.h"
 
@@ -52,15 +53,6 @@ TEST(ExtentAlong, OutliersShiftPercentilesOnlyByTheirShare) {
   EXPECT_NEAR(extent.half_size_m.z(), 4.0 / 9.0, 0.03);
 }
 
-TEST(ExtentAlong, InterpolatesPercentiles) {
-  Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, 3);
-  points.row(0) << 4.0, 0.0, 1.0;  // 30th and 70th percentiles: 0.6 and 2.2
-  const PointExtent extent =
-      ExtentAlong(Eigen::Matrix3d::Identity(), points, ExtentOptions{.min_half_size_m = 0.2});
-  EXPECT_TRUE(extent.center.isApprox(Eigen::Vector3d(1.4, 0.0, 0.0)));
-  EXPECT_TRUE(extent.half_size_m.isApprox(Eigen::Vector3d(0.8, 0.2, 0.2)));
-}
-
 TEST(ExtentAlong, NeedsAPoint) {
   EXPECT_THAT(ErrorMessage([] { ExtentAlong(Eigen::Matrix3d::Identity(), {}, {}); }),
               HasSubstr("no points"));
@@ -91,14 +83,6 @@ TEST(PrincipalAxes, DoNotDependOnPointOrderOrReflection) {
     const Eigen::Vector3d direction = frame.RotationMatrix().col(axis);
     EXPECT_EQ(direction.maxCoeff(), direction.cwiseAbs().maxCoeff());
   }
-}
-
-TEST(PrincipalAxes, AreNotTurnedByOutliers) {
-  Rng rng(5, "extent");
-  Eigen::Matrix3Xd points = Solid({2.0, 1.0, 0.5}, Eigen::Matrix3d::Identity(), 2000, rng);
-  points.leftCols(100).colwise() += Eigen::Vector3d(20.0, 30.0, 40.0);
-  const RigidTransform frame = PrincipalAxes(points, {});
-  EXPECT_LT(RotationAngle(frame.rotation()), 0.1);
 }
 
 TEST(PrincipalAxes, FallBackToTheCameraForAmbiguousShapes) {
@@ -144,21 +128,6 @@ std::vector<int> Nearest(const std::vector<double>& depths_m, double angular_siz
 
 constexpr double kCarAngle = 0.15;  // 3 m at 20 m
 
-TEST(DepthModes, FindsTheForegroundInABoxWithHalfBackground) {
-  const std::vector<double> depths = Joined(Spread(19, 21, 20), Spread(28, 60, 20));
-  EXPECT_EQ(Nearest(depths, kCarAngle, {}), FirstIndices(20));
-  // A wall is denser than the body in front of it.
-  EXPECT_EQ(Nearest(Joined(Spread(19, 21, 20), Spread(28, 28.1, 30)), kCarAngle, {}),
-            FirstIndices(20));
-}
-
-TEST(DepthModes, AreOrderedByDepth) {
-  const auto modes = DepthModes(Joined(Spread(28, 28.1, 5), Spread(19, 21, 20)), kCarAngle, {});
-  ASSERT_THAT(modes, ::testing::SizeIs(2));
-  EXPECT_THAT(modes[0], ::testing::SizeIs(20));
-  EXPECT_EQ(modes[1], FirstIndices(5));
-}
-
 TEST(DepthModes, IgnoresAFewNearerPoints) {
   const std::vector<double> near = {5.0, 5.1, 5.2, 9.0, 14.0};
   std::vector<int> car = FirstIndices(20);
@@ -171,11 +140,6 @@ TEST(DepthModes, ExtendFromTheirPeakNotFromAStrayPoint) {
   const std::vector<double> links = {17.9, 22, 23, 24, 25, 26, 27};
   const std::vector<double> depths = Joined(Joined(Spread(19, 21, 20), links), Spread(28, 29, 20));
   EXPECT_EQ(Nearest(depths, kCarAngle, {}), FirstIndices(20));
-}
-
-TEST(DepthModes, IncludesEverythingWithoutBackground) {
-  EXPECT_EQ(Nearest(Spread(2.8, 3.3, 30), 0.2, {}), FirstIndices(30));
-  EXPECT_EQ(Nearest(std::vector<double>(8, 4.0), 0.2, {}), FirstIndices(8));
 }
 
 TEST(DepthModes, WideBodiesMayBeDeep) {
@@ -195,13 +159,6 @@ TEST(DepthModes, IsEmptyWithTooFewPoints) {
   EXPECT_THAT(Nearest({1, 2, 4, 8, 16, 32, 64}, kCarAngle, {}), IsEmpty());
 }
 
-TEST(DepthModes, IgnoresInvalidDepths) {
-  const double nan = std::nan("");
-  const double inf = std::numeric_limits<double>::infinity();
-  const std::vector<double> depths = {-1, 5.0, nan, 5.1, 0, 5.2, inf, 5.3, 5.4};
-  EXPECT_THAT(Nearest(depths, kCarAngle, {}), ElementsAre(1, 3, 5, 7, 8));
-}
-
 // Depths with stereo noise, as of cars seen from behind and of furniture in front of a wall.
 TEST(DepthModes, FindsTheForegroundInNoise) {
   Rng rng(8, "mode");
@@ -219,6 +176,103 @@ TEST(DepthModes, FindsTheForegroundInNoise) {
     EXPECT_GT(found / 1500.0, 0.9) << z;
     EXPECT_LT(wrong / found, 0.03) << z;
   }
+}
+
+constexpr ClusterId kNone{};
+
+// A group of nodes with the same label and the same previous cluster.
+struct Group {
+  int count;
+  int label;
+  ClusterId previous;
+};
+
+// Labels: static scene, cluster 5, two new boxes, outliers.
+std::vector<ClusterId> Match(std::initializer_list<Group> groups) {
+  const LabelIdentity labels[] = {{LabelKind::kStatic, kStaticScene},
+                                  {LabelKind::kCluster, ClusterId{5}},
+                                  {LabelKind::kNewBox, kNone},
+                                  {LabelKind::kNewBox, kNone},
+                                  {LabelKind::kOutlier, kNone}};
+  std::vector<int> label_of_node;
+  std::vector<ClusterId> previous_of_node;
+  for (const Group& group : groups) {
+    label_of_node.insert(label_of_node.end(), group.count, group.label);
+    previous_of_node.insert(previous_of_node.end(), group.count, group.previous);
+  }
+  return MatchLabels(labels, {label_of_node, previous_of_node}, {});
+}
+
+std::vector<ClusterId> Expect(ClusterId first_box, ClusterId second_box) {
+  return {kStaticScene, ClusterId{5}, first_box, second_box, kNone};
+}
+
+TEST(MatchLabels, NewBoxContinuesTheClusterOfItsNodes) {
+  EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {5, 2, kNone}, {3, 0, ClusterId{7}}}),
+            Expect(ClusterId{7}, kNone));
+}
+
+TEST(MatchLabels, RequiresThreeTenthsOfTheUnion) {
+  // 3 nodes are shared, of a union of 3 + 5 + 2 and then of 3 + 5 + 3. Nodes without a cluster
+  // count in the union.
+  EXPECT_EQ(Match({{3, 3, ClusterId{7}}, {5, 3, kNone}, {2, 4, ClusterId{7}}}),
+            Expect(kNone, ClusterId{7}));
+  EXPECT_EQ(Match({{3, 3, ClusterId{7}}, {5, 3, kNone}, {3, 4, ClusterId{7}}}),
+            Expect(kNone, kNone));
+}
+
+// Independently, both boxes would take cluster 7. Assigning 8 and 7 shares more nodes in total than
+// assigning 7 and none.
+TEST(MatchLabels, MatchesBoxesJointly) {
+  EXPECT_EQ(Match({{9, 2, ClusterId{7}}, {8, 2, ClusterId{8}}, {8, 3, ClusterId{7}}}),
+            Expect(ClusterId{8}, ClusterId{7}));
+}
+
+TEST(MatchLabels, ANewBoxMayTakeTheClusterOfALabel) {
+  EXPECT_EQ(Match({{10, 2, ClusterId{5}}, {2, 1, ClusterId{5}}}),
+            (std::vector<ClusterId>{kStaticScene, kNone, ClusterId{5}, kNone, kNone}));
+}
+
+TEST(MatchLabels, ALabelWithoutAMatchKeepsItsClusterIfNoOtherTookIt) {
+  EXPECT_EQ(Match({{10, 2, ClusterId{7}}, {3, 0, ClusterId{5}}}), Expect(ClusterId{7}, kNone));
+}
+
+TEST(MatchLabels, StaticSceneIsNeverTaken) {
+  EXPECT_EQ(Match({{10, 2, kStaticScene}, {10, 1, kStaticScene}}), Expect(kNone, kNone));
+}
+
+constexpr ClusterId kCar{3};
+
+template <typename Policy>
+LabelOutcome Repeat(int times, ClusterId inferred, LabelState& state) {
+  LabelOutcome outcome = LabelOutcome::kKept;
+  for (int i = 0; i < times; ++i) outcome = Policy::Update(inferred, state);
+  return outcome;
+}
+
+TEST(CountLabels, YieldsAfterAsManyFramesAsItHeld) {
+  LabelState state{kStaticScene, 1};
+  EXPECT_EQ(Repeat<CountLabels>(200, kStaticScene, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<CountLabels>(200, kCar, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<CountLabels>(1, kCar, state), LabelOutcome::kChanged);
+}
+
+TEST(TakeLabelsAtOnce, HasNoMemory) {
+  LabelState state{kStaticScene, 1};
+  EXPECT_EQ(Repeat<TakeLabelsAtOnce>(200, kStaticScene, state), LabelOutcome::kKept);
+  EXPECT_EQ(Repeat<TakeLabelsAtOnce>(1, kCar, state), LabelOutcome::kChanged);
+  EXPECT_EQ(state.cluster, kCar);
+  EXPECT_EQ(state.confidence, 1);
+  EXPECT_EQ(Repeat<TakeLabelsAtOnce>(1, kNone, state), LabelOutcome::kRemove);
+}
+
+TEST(CountLabels, OutliersLowerConfidenceUntilTheLandmarkIsRemoved) {
+  LabelState state{kCar, 3};
+  EXPECT_EQ(Repeat<CountLabels>(2, kNone, state), LabelOutcome::kKept);
+  EXPECT_EQ(state.cluster, kCar);
+  EXPECT_EQ(state.confidence, 1);
+  EXPECT_EQ(Repeat<CountLabels>(1, kNone, state), LabelOutcome::kRemove);
+  EXPECT_EQ(state.cluster, kCar);
 }
 
 }  // namespace

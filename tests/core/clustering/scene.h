@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/clustering/crf_scene.h"
+#include "core/clustering/dense_crf.h"
 
 namespace cvo::test {
 

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/clustering/affinity_term.h"
-#include "core/clustering/box_term.h"
-#include "core/clustering/motion_term.h"
+#include "core/clustering/unary_terms.h"
 #include "tests/core/clustering/scene.h"
 #include "tests/support/error_message.h"
 
@@ -76,24 +74,6 @@ TEST(NormalizeEnergies, ProbabilitiesSumToOne) {
   EXPECT_NEAR(energies(1, 0), std::log(2.0 + std::exp(-1.0)), 1e-12);
 }
 
-TEST(NormalizeEnergies, CutsOffAfterNormalising) {
-  constexpr double kImpossible = std::numeric_limits<double>::infinity();
-  EnergyMatrix energies(1, 4);
-  energies << 50.0, 50.0, 64.0, kImpossible;
-  NormalizeEnergies(14.5, energies);
-  EXPECT_NEAR(energies(0, 0), std::log(2.0), 1e-6);
-  EXPECT_NEAR(energies(0, 2), 14.5, 1e-12);  // 14 + log 2 before the cut-off
-  EXPECT_EQ(energies(0, 3), 14.5);
-}
-
-TEST(NormalizeEnergies, RowsWithoutPreferenceBecomeZero) {
-  constexpr double kImpossible = std::numeric_limits<double>::infinity();
-  EnergyMatrix energies(2, 2);
-  energies << 3.0, 3.0, kImpossible, kImpossible;
-  NormalizeEnergies(15.0, energies);
-  EXPECT_TRUE(energies.isZero(0.0));
-}
-
 TEST(NormalizeEnergies, RefusesNan) {
   EnergyMatrix energies(2, 2);
   energies << 1.0, 2.0, std::nan(""), 1.0;
@@ -127,11 +107,6 @@ TEST(DetectedBox2dTerm, IgnoresPredictionsAndOtherwiseAgreesWithBox2dTerm) {
               Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
 }
 
-TEST(Box2dTerm, DetectionsOverridePredictions) {
-  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(230, 170)),
-              Near({0.0125, 0.0125, 0.95, 0.0125, 0.0125}));
-}
-
 TEST(Box2dTerm, IgnoresTheRimOfADetection) {
   EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(104, 150)),
               Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
@@ -146,24 +121,6 @@ TEST(Box2dTerm, FootOfADetectionIsSharedWithTheStaticScene) {
   EXPECT_THAT(
       Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 190), UnaryOptions{.box_foot = 0.0}),
       Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
-}
-
-TEST(Box2dTerm, SpreadsTheRemainderOverAllOtherLabels) {
-  CrfScene scene = BoxScene();
-  scene.labels.insert(scene.labels.end() - 1, MakeLabel(LabelKind::kNewBox));
-  EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(120, 150)),
-              Near({0.01, 0.95, 0.01, 0.01, 0.01, 0.01}));
-}
-
-TEST(Box2dTerm, EnergiesDoNotDependOnTheOrderOfLabels) {
-  const CrfScene scene = BoxScene();
-  CrfScene swapped = scene;
-  std::swap(swapped.labels[1], swapped.labels[3]);
-  for (const double u_px : {120.0, 170.0, 195.0, 300.0, 500.0}) {
-    Eigen::RowVectorXd energies = RawEnergies<Box2dTerm>(swapped, NodeSeenAt(u_px, 180));
-    std::swap(energies[1], energies[3]);
-    EXPECT_EQ(energies, RawEnergies<Box2dTerm>(scene, NodeSeenAt(u_px, 180))) << u_px;
-  }
 }
 
 TEST(Box2dTermLiteral, MatchesThePrintedFormula) {
@@ -214,14 +171,6 @@ TEST(AffinityTerm, IsZeroNearTheCentreOfAnUndetectedBody) {
   EXPECT_EQ(RawEnergies<AffinityTerm>(missed, outside, {.undetected_reach = 0.0})[1], energy);
 }
 
-TEST(AffinityTerm, UsesConstantsForLabelsWithoutACentre) {
-  const Eigen::RowVectorXd energies =
-      RawEnergies<AffinityTerm>(AffinityScene(), NodeAt({1.0, 0.5, 10.0}));
-  const UnaryOptions options;
-  EXPECT_EQ(energies, Eigen::RowVector4d(options.static_energy, 0.0, options.static_energy,
-                                         options.outlier_energy));
-}
-
 TEST(AffinityTerm, PrunesTheBackgroundButNotPointsOfUncertainDepth) {
   CrfNode node = NodeAt({1.0, 0.5, 13.0});
   node.covariance_m2 = Eigen::Vector3d(0.01, 0.01, 0.04).asDiagonal();
@@ -250,28 +199,6 @@ TEST(ComputeUnaries, AddsUpItsTerms) {
   EXPECT_TRUE(unaries.total.isApprox(unaries.box + unaries.affinity));
   const auto box_only = ComputeUnaries<Box2dTerm, NoAffinityTerm, NoMotionTerm>(scene, {});
   EXPECT_EQ(box_only.total, unaries.box);
-}
-
-TEST(ComputeUnaries, NoTermExceedsTheLargestEnergy) {
-  CrfScene scene = AffinityScene();
-  scene.labels[1].box = kLeft;
-  scene.nodes = {NodeAt({-30.0, 0.5, 40.0})};
-  const auto unaries = ComputeUnaries<Box2dTerm, AffinityTermLiteral, MotionTermLiteral>(
-      scene, UnaryOptions{.max_energy = 3.0});
-  EXPECT_EQ(unaries.affinity(0, 1), 3.0);
-  EXPECT_LE(unaries.box.maxCoeff(), 3.0);
-}
-
-TEST(ComputeUnaries, WorksWithoutLandmarks) {
-  const auto unaries =
-      ComputeUnaries<Box2dTerm, AffinityTerm, MotionTerm>(AffinityScene(), UnaryOptions());
-  EXPECT_EQ(unaries.total.rows(), 0);
-  EXPECT_EQ(unaries.total.cols(), 4);
-}
-
-TEST(UnaryOptions, AreCheckedAgainstTheirRanges) {
-  CheckRanges(UnaryOptions());
-  EXPECT_THAT(ErrorMessage([] { CheckRanges(UnaryOptions{.eta = 1.5}); }), HasSubstr("eta"));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tests parts of the life cycle and the prediction of clusters in isolation.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,15 +9,13 @@
 
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_map.h"
+#include "core/clusters/cluster_optimization.h"
 #include "core/clusters/cluster_prediction.h"
+#include "core/solvers/motion_prior.h"
 #include "tests/core/clusters/small_windows.h"
 
 namespace cvo::parts_test {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 using test::At;
 using test::kCamera;
@@ -26,6 +23,11 @@ using test::kInterval_ns;
 using test::MakeLandmark;
 using test::StateAt;
 using test::WindowOf;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+// Tests parts of the life cycle and the prediction of clusters in isolation.
 
 std::vector<std::int64_t> Ids(const std::vector<Landmark>& landmarks) {
   std::vector<std::int64_t> ids;
@@ -50,16 +52,6 @@ TEST(TrimCluster, DropsWhatIsOlderThanTheWindowExceptTheLastState) {
   TrimCluster(WindowOf(8, 12), FrameId{12}, {}, cluster);
   ASSERT_THAT(cluster.states, SizeIs(1));
   EXPECT_EQ(cluster.states[0].frame, FrameId{3});
-}
-
-TEST(TrimCluster, HiddenClustersKeepTheStatesThatPredictThem) {
-  Cluster cluster;
-  for (int f = 0; f < 4; ++f) cluster.states.push_back(StateAt(f, At(0, 0, 5)));
-  cluster.last_observed = FrameId{3};
-  cluster.landmarks = {MakeLandmark(0, {0, 3})};
-  TrimCluster(WindowOf(8, 12), FrameId{12}, {}, cluster);
-  EXPECT_THAT(cluster.states, SizeIs(4));
-  EXPECT_THAT(cluster.landmarks, IsEmpty());
 }
 
 TEST(TrimCluster, DropsTheLongestUnseenLandmarksBeyondTheLimit) {
@@ -119,21 +111,6 @@ TEST(RetireClusters, KeepsArchivesOrDropsClusters) {
   EXPECT_THAT(told, ElementsAre(1, 2, 6));
 }
 
-// Over a long run, many clusters accumulate in the archive, so they must not waste memory.
-TEST(RetireClusters, ArchiveHasNoSpareCapacity) {
-  ClusterMap map;
-  map.live = {ClusterSeen(1, 0, 0, 5)};
-  map.live[0].landmarks.reserve(100);
-  map.live[0].landmarks.push_back(MakeLandmark(0, {0}));
-  map.live[0].landmarks[0].observations.reserve(10);
-  RetireClusters(FrameId{100}, Options().LiveFrames(), {}, map);
-  ASSERT_THAT(map.archived, SizeIs(1));
-  const std::vector<Landmark>& landmarks = map.archived[0].landmarks;
-  ASSERT_THAT(landmarks, SizeIs(1));
-  EXPECT_EQ(landmarks.capacity(), 1U);
-  EXPECT_EQ(landmarks[0].observations.capacity(), 1U);
-}
-
 TEST(RetireClusters, NeverReportsUnconfirmedClusters) {
   ClusterOptions options;
   options.confirm_frames = 100;  // the body disappears earlier
@@ -181,14 +158,6 @@ struct Prediction {
                            landmark);
   }
 };
-
-TEST(PredictLandmark, ProjectsWithThePredictedPose) {
-  const Prediction p;
-  const auto seen = p.Predict();
-  ASSERT_TRUE(seen);
-  const Eigen::Vector3d p_in_world = p.predicted.world_from_object * p.landmark.p_in_object;
-  EXPECT_LT((seen->zeta_px - *kCamera.Project(p_in_world)).norm(), 1e-9);
-}
 
 TEST(PredictLandmark, InnovationSumsPositionMotionAndMeasurement) {
   Prediction p;
@@ -240,17 +209,6 @@ TEST(PredictLandmark, IsInvisibleOutsideTheImageAndBehindTheCamera) {
   EXPECT_FALSE(p.Predict());
 }
 
-TEST(PredictLandmark, OctaveFollowsTheDepth) {
-  Prediction p;
-  p.landmark.last_octave = 3;
-  EXPECT_EQ(p.Predict()->octave, 3);
-  const double z = (p.predicted.world_from_object * p.landmark.p_in_object).z();
-  p.landmark.depth_m = z * 1.2 * 1.2;  // it came nearer and looks larger
-  EXPECT_EQ(p.Predict()->octave, 5);
-  p.landmark.depth_m = z / 100.0;
-  EXPECT_EQ(p.Predict()->octave, 0);
-}
-
 TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
   const ClusterOptions options;
   const MotionPriorOptions motion;
@@ -291,13 +249,76 @@ TEST(UpdateExtent, SpansTheCentralLandmarks) {
       1e-9);
 }
 
-TEST(ReleaseUnseen, ReleasesTheBoxOfUntrackedClusters) {
-  std::vector<ClusterTrack> tracks(2);
-  tracks[0].detection = tracks[1].detection = 3;
-  tracks[1].is_tracked = true;
-  internal::ReleaseUnseen(tracks);
-  EXPECT_EQ(tracks[0].detection, -1);
-  EXPECT_EQ(tracks[1].detection, 3);
+constexpr std::int64_t kFrames = 5;
+
+// A body that moves 5 cm to the right per frame in front of a static camera. Its twelve points are
+// observed in every frame without noise. All states start at the truth, except the pose in the last
+// frame, which is off by 3 cm.
+struct Moving {
+  Options options;
+  TaskPool pool{1};
+  Window window;
+  ClusterMap map;
+
+  Moving() {
+    window.camera = {450.0, 450.0, 320.0, 240.0, 0.3, 640, 480};
+    Cluster cluster;
+    cluster.id = ClusterId{1};
+    for (int i = 0; i < 12; ++i) {
+      Landmark landmark;
+      landmark.id = LandmarkId{i};
+      landmark.p_in_object = {0.2 * (i % 4) - 0.3, 0.2 * (i / 4) - 0.2, 0.1 * (i % 3)};
+      cluster.landmarks.push_back(landmark);
+    }
+    for (std::int64_t f = 0; f < kFrames; ++f) {
+      window.temporal.push_back({FrameId{f}, {}, false});
+      cluster.states.push_back(
+          {FrameId{f}, f * 100'000'000, Truth(f), Eigen::Vector3d(0.5, 0.0, 0.0)});
+      for (Landmark& landmark : cluster.landmarks) {
+        const auto z_px = window.camera.Project(Truth(f) * landmark.p_in_object);
+        landmark.observations.push_back({FrameId{f}, *z_px, 0});
+      }
+    }
+    cluster.states.back().world_from_object = Truth(kFrames - 1) * At(0.03);
+    cluster.last_observed = FrameId{kFrames - 1};
+    map.live.push_back(cluster);
+  }
+
+  static RigidTransform At(double x) {
+    return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0.0, 0.0)};
+  }
+  static RigidTransform Truth(std::int64_t frame) {
+    return {Eigen::Quaterniond::Identity(),
+            Eigen::Vector3d(0.05 * static_cast<double>(frame), 0.0, 4.0)};
+  }
+  double LastError_m() const {
+    const RigidTransform& pose = map.live[0].Latest().world_from_object;
+    return (pose.translation() - Truth(kFrames - 1).translation()).norm();
+  }
+  template <OutlierPolicy Outliers = RemoveOutliers>
+  SolverEndings Optimize() {
+    return OptimizeClusters<WhiteNoiseOnAcceleration, Outliers, OwnSchur>(
+        {options.NoiseOfFeatures(), options.solver, options.motion_prior}, window, pool, map);
+  }
+};
+
+TEST(OptimizeClusters, FindsThePoses) {
+  Moving body;
+  body.Optimize();
+  EXPECT_LT(body.LastError_m(), 1e-5);
+}
+
+TEST(OptimizeClusters, RemovesOutliersOfTheLastFrame) {
+  Moving body;
+  for (int i = 0; i < 4; ++i) {
+    body.map.live[0].landmarks[i].observations.back().z_px += Eigen::Vector3d(12.0, 0.0, 12.0);
+  }
+  body.Optimize();
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(FindObservation(body.map.live[0].landmarks[i], FrameId{kFrames - 1}), nullptr) << i;
+  }
+  // With Huber's loss alone they would still have an influence.
+  EXPECT_LT(body.LastError_m(), 1e-4);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/clusters/cluster_map.h"
-#include "tests/support/centred_camera.h"
+#include "tests/support/estimator_inputs.h"
 
 // Helpers to create states, landmarks and windows of a few frames, 0.1 s apart.
 namespace cvo::test {

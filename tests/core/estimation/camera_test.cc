@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/rng.h"
-#include "core/estimation/camera_ransac.h"
+#include "core/estimation/camera_solver.h"
 
 namespace cvo::camera_test {
 namespace {
@@ -64,12 +64,6 @@ TEST(SolveCamera, ErrorFallsWithTheSquareRootOfTheMeasurements) {
   EXPECT_NEAR(few / many, 5.0, 1.5);
 }
 
-TEST(SolveCamera, KeepsTheInitialCameraWithoutMeasurements) {
-  const auto solution = SolveCamera(kCamera, {}, kTruth, {});
-  EXPECT_EQ(kTruth.Minus(solution.world_from_camera).norm(), 0.0);
-  EXPECT_EQ(solution.inliers, 0);
-}
-
 TEST(SolveCameraRansac, FindsTheCameraAmongSixtyPercentOfOutliers) {
   Rng rng(3, "ransac");
   const auto measurements = Measure(150, 90, 0.3, rng);
@@ -95,26 +89,6 @@ TEST(SolveCameraRansac, PrefersInliersThatCoverMoreOfTheImage) {
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
 }
 
-// A distant body lies in a single cell, together with its wrong matches.
-TEST(SolveCameraRansac, CountsInliersOfABodyInOneCell) {
-  Rng rng(8, "ransac");
-  std::vector<PointMeasurement> measurements;
-  for (int i = 0; i < 12; ++i) {
-    const Eigen::Vector3d p_in_camera(rng.Uniform(0.1, 0.3), rng.Uniform(0.1, 0.3),
-                                      rng.Uniform(6.0, 6.2));
-    // Four of them agree on another camera pose.
-    const RigidTransform world_from_camera =
-        i < 4 ? kTruth * RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.9, 0, 0))
-              : kTruth;
-    measurements.push_back({world_from_camera * p_in_camera, *kCamera.Project(p_in_camera),
-                            Eigen::Matrix3d::Identity()});
-  }
-  const auto solution = SolveCameraRansac(kCamera, measurements, {}, CountInliers, 100, 3, rng);
-  ASSERT_TRUE(solution);
-  EXPECT_EQ(solution->inliers, 8);
-  EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
-}
-
 TEST(CoveredCells, CountCellsOfInliersAndClampToTheImage) {
   const auto at = [](double u_px, double v_px) {
     return PointMeasurement{{}, {u_px, v_px, u_px - 5.0}, Eigen::Matrix3d::Identity()};
@@ -124,19 +98,6 @@ TEST(CoveredCells, CountCellsOfInliersAndClampToTheImage) {
   EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>{1, 1, 1, 1, 1}), 3);
   EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>{1, 1, 0, 1, 1}), 2);
   EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>{0, 0, 0, 0, 0}), 0);
-}
-
-TEST(CoveredCells, EveryCellCounts) {
-  std::vector<PointMeasurement> measurements;
-  for (int row = 0; row < 12; ++row) {
-    for (int column = 0; column < 12; ++column) {
-      measurements.push_back(
-          {{},
-           {(column + 0.5) * kCamera.width_px / 12.0, (row + 0.5) * kCamera.height_px / 12.0, 0.0},
-           {}});
-    }
-  }
-  EXPECT_EQ(CoveredCells(kCamera, measurements, std::vector<char>(144, 1)), 144);
 }
 
 TEST(SolveCameraRansac, FindsNothingWithoutAgreement) {
@@ -199,36 +160,6 @@ TEST(SolveCamera, WeightsMeasurementsByTheirInformation) {
             2e-4);
 }
 
-// A measurement that is missing from the sums would make the result depend on the order.
-TEST(SolveCamera, OrderDoesNotMatter) {
-  Rng rng(10, "camera");
-  std::vector<PointMeasurement> measurements = Measure(12, 0, 0.5, rng);
-  const auto there = SolveCamera(kCamera, measurements, kTruth, {});
-  std::reverse(measurements.begin(), measurements.end());
-  const auto back = SolveCamera(kCamera, measurements, kTruth, {});
-  EXPECT_LT(there.world_from_camera.Minus(back.world_from_camera).norm(), 1e-7);
-}
-
-// With three measurements, every sample consists of all of them.
-TEST(SolveCameraRansac, ThreeMeasurementsAndOneTryAreEnough) {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Rng rng(seed, "three");
-    const auto measurements = Measure(3, 0, 0.0, rng);
-    const auto solution = SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 1, 3, rng);
-    ASSERT_TRUE(solution) << seed;
-    EXPECT_EQ(solution->inliers, 3);
-    EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
-    EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 1, 4, rng));
-    EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 0, 3, rng))
-        << "nothing is tried";
-  }
-}
-
-TEST(SolveCameraRansac, RequiresThreeInliers) {
-  Rng rng(8, "ransac");
-  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(5, 5, 0.0, rng), {}, CoveredCells, 100, 0, rng));
-}
-
 // A measurement without a disparity cannot be triangulated.
 TEST(SolveCameraRansac, DoesNotSampleMeasurementsWithoutDisparity) {
   Rng rng(9, "ransac");
@@ -240,6 +171,58 @@ TEST(SolveCameraRansac, DoesNotSampleMeasurementsWithoutDisparity) {
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
   for (PointMeasurement& m : measurements) m.z_px[2] = m.z_px[0] + 1.0;
   EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, CoveredCells, 100, 3, rng));
+}
+
+const RigidTransform kMotion(ExpSo3({0.3, -0.5, 0.2}), Eigen::Vector3d(2.0, -1.0, 4.0));
+
+Eigen::Matrix3Xd RandomPoints(Rng& rng, int count) {
+  return Eigen::Matrix3Xd::NullaryExpr(3, count, [&] { return rng.Normal(); });
+}
+
+Eigen::Matrix3Xd Moved(const Eigen::Matrix3Xd& points) {
+  Eigen::Matrix3Xd moved = points;
+  for (Eigen::Index i = 0; i < moved.cols(); ++i) moved.col(i) = kMotion * moved.col(i).eval();
+  return moved;
+}
+
+double Error(const std::optional<RigidTransform>& found) {
+  return found ? kMotion.Minus(*found).norm() : 1e9;
+}
+
+TEST(AlignPointsRansac, FindsTheCommonMotionAmongOutliers) {
+  Rng rng(1, "points");
+  const Eigen::Matrix3Xd from = RandomPoints(rng, 40);
+  Eigen::Matrix3Xd to = Moved(from);
+  to.leftCols(20) = 5.0 * RandomPoints(rng, 20);
+  EXPECT_LT(Error(AlignPointsRansac(from, to, 0.01, 20, 200, rng)), 1e-9);
+  EXPECT_FALSE(AlignPointsRansac(from, to, 0.01, 21, 200, rng)) << "twenty agree";
+}
+
+TEST(AlignPointsRansac, ThreePointsAreEnoughAndFewerAreNot) {
+  Rng rng(2, "points");
+  const Eigen::Matrix3Xd from = RandomPoints(rng, 3);
+  EXPECT_LT(Error(AlignPointsRansac(from, Moved(from), 1e-6, 3, 50, rng)), 1e-9);
+  EXPECT_FALSE(AlignPointsRansac(from, Moved(from), 1e-6, 4, 50, rng));
+  EXPECT_FALSE(AlignPointsRansac(from, Moved(from), 1e-6, 3, 0, rng)) << "nothing is tried";
+  const Eigen::Matrix3Xd two = from.leftCols(2);
+  EXPECT_FALSE(AlignPointsRansac(two, Moved(two), 1e-6, 2, 50, rng));
+}
+
+// The fifth point is off by 1 m.
+TEST(AlignPointsRansac, AllPointsWithinTheDistanceHaveEqualWeight) {
+  Eigen::Matrix3Xd from(3, 5);
+  from << 0, 4, 0, 4, 0,  //
+      0, 0, 4, 4, 0,      //
+      0, 0, 0, 0, 3;
+  Eigen::Matrix3Xd to = from;
+  to(2, 4) += 1.0;
+  Rng rng(4, "points");
+  const auto near = AlignPointsRansac(from, to, 1.001, 5, 300, rng);
+  ASSERT_TRUE(near);
+  EXPECT_GT(near->Minus(RigidTransform()).norm(), 0.05) << "the fifth point takes part";
+  const auto far = AlignPointsRansac(from, to, 0.3, 4, 300, rng);
+  ASSERT_TRUE(far);
+  EXPECT_LT(far->Minus(RigidTransform()).norm(), 1e-9);
 }
 
 }  // namespace

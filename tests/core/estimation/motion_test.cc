@@ -7,9 +7,9 @@
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/ceres/ceres_costs.h"
+#include "core/ceres/ceres_solvers.h"
 #include "core/estimation/motion_extrapolation.h"
-#include "core/solvers/motion_prior_cost.h"
+#include "core/solvers/motion_prior.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo::motion_test {
@@ -183,22 +183,6 @@ TEST(Extrapolate, FollowsConstantTranslationAndRotation) {
   }
 }
 
-TEST(Extrapolate, HeldRotationDoesNotChange) {
-  const std::array<MotionState, 2> states = {TurningBody(0.0), TurningBody(0.1)};
-  const PredictedMotion predicted =
-      Extrapolate<WhiteNoiseOnAcceleration, HeldRotation>({}, states, 0.2, Eigen::Matrix3d::Zero());
-  const Vector6d difference = predicted.world_from_object.Minus(states[1].world_from_object);
-  EXPECT_EQ(difference.head<3>().norm(), 0.0);
-  EXPECT_LT((difference.tail<3>() - 0.1 * states[1].velocity_m_s).norm(), 1e-12);
-}
-
-TEST(Extrapolate, SingleStateHoldsItsRotation) {
-  const std::array<MotionState, 1> states = {TurningBody(0.1)};
-  const PredictedMotion predicted = Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
-      {}, states, 0.2, Eigen::Matrix3d::Zero());
-  EXPECT_EQ(predicted.world_from_object.Minus(states[0].world_from_object).head<3>().norm(), 0.0);
-}
-
 TEST(Extrapolate, CovarianceGrowsWithNoiseAndVelocity) {
   const std::array<MotionState, 1> states = {TurningBody(0.0)};
   const Eigen::Matrix3d velocity = Eigen::Vector3d(4.0, 1.0, 0.25).asDiagonal();
@@ -252,34 +236,6 @@ TEST(BridgeMotion, IsTheBestEstimateOfSimulatedMotions) {
   EXPECT_NEAR(squares[1] / bridged.variance, 1.0, 0.03);
   EXPECT_GT(squares[0], squares[1]);
   EXPECT_GT(squares[2], squares[1]);
-}
-
-TEST(Extrapolate, TwoStatesDetermineTheRotationRate) {
-  const std::array<MotionState, 2> states = {TurningBody(0.2), TurningBody(0.3)};
-  const MotionState truth = TurningBody(0.5);
-  const PredictedMotion predicted = Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
-      {}, states, 0.5, Eigen::Matrix3d::Zero());
-  EXPECT_LT(predicted.world_from_object.Minus(truth.world_from_object).norm(), 1e-9);
-}
-
-// Without noise, the displacement follows from the mean of both velocities and has no variance.
-TEST(BridgeMotion, NoiselessMotionUsesTheMeanVelocity) {
-  const BridgedMotion bridged = BridgeMotion(2.0, 0.0, 0.0, 0.0);
-  EXPECT_EQ(bridged.later_share, 0.5);
-  EXPECT_EQ(bridged.variance, 0.0);
-}
-
-// In another unit of length, shares are the same and variances scale. No fixed threshold may treat
-// small noise as none.
-TEST(BridgeMotion, DoesNotDependOnTheUnitOfLength) {
-  const BridgedMotion large = BridgeMotion(1.5, 0.7, 0.2, 0.5);
-  const BridgedMotion small = BridgeMotion(1.5, 0.7e-6, 0.2e-6, 0.5e-6);
-  EXPECT_NEAR(small.later_share, large.later_share, 1e-12);
-  EXPECT_NEAR(small.variance / large.variance, 1e-6, 1e-16);
-  // By hand: the variance of the velocity change is 1.05 + 0.2 + 0.5, its covariance with the mean
-  // velocity 0.525 + 0.2.
-  EXPECT_NEAR(large.later_share, 0.725 / 1.75, 1e-12);
-  EXPECT_NEAR(large.variance, 2.25 * (0.55 - 0.725 * 0.725 / 1.75), 1e-12);
 }
 
 }  // namespace

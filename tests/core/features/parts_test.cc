@@ -3,27 +3,28 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
 #include "core/features/descriptor.h"
+#include "core/features/feature_patch.h"
 #include "core/features/options.h"
 #include "core/features/orb/brief.h"
-#include "core/features/orb/corner_refinement.h"
 #include "core/features/orb/corner_score.h"
 #include "core/features/orb/corner_selection.h"
-#include "core/features/orb/pyramid.h"
-#include "core/features/row_field.h"
+#include "core/features/orb/orb.h"
+#include "core/features/stereo_matcher.h"
 #include "tests/core/features/scene.h"
-#include "tests/support/centred_camera.h"
+#include "tests/support/estimator_inputs.h"
 
-namespace cvo {
+namespace cvo::parts_test {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 cv::Mat RandomImage(int width_px, int height_px) {
   Rng rng(1, "test image");
@@ -136,14 +137,6 @@ TEST(SelectEvenly, SelectsTheQuotaWithEvenSpacing) {
   EXPECT_NEAR(on_the_right, 75, 12);
 }
 
-TEST(SelectEvenly, KeepsAllOfFewCorners) {
-  const std::vector<Corner> corners = {{1, 2, 9}, {50, 2, 9}};
-  EXPECT_EQ(SelectEvenly(corners, 2).size(), 2u);
-  EXPECT_EQ(SelectEvenly(corners, 1).size(), 1u);
-  EXPECT_TRUE(SelectEvenly(corners, 0).empty());
-  EXPECT_TRUE(SelectEvenly({}, 5).empty());
-}
-
 TEST(RefineCorner, FindsTheVertexOfAParaboloid) {
   cv::Mat scores(3, 3, CV_8UC1);
   for (int y = -1; y <= 1; ++y) {
@@ -195,7 +188,7 @@ TEST(BriefPattern, FitsThePatchAndHasNoShortTests) {
 const StereoCamera kRowCamera = test::CentredCamera(500.0, 0.5, 600, 200);
 
 // Row offsets with a fifth of outliers, of a rig whose baseline is not level.
-class RowOffsets : public ::testing::Test {
+class RowOffsets : public testing::Test {
  protected:
   static double Truth(double u, double v, double disparity) {
     return 0.4 - 1e-3 * u + 5e-6 * (u - 300) * (v - 100) + 0.004 * disparity;
@@ -266,11 +259,6 @@ void CheckLaw() {
   });
 }
 
-TEST(FeatureOptions, CheckNamesTheField) {
-  CheckLaw<OrbOptions>();
-  CheckLaw<StereoMatchOptions>();
-}
-
 TEST(FeatureOptions, ThresholdsAreOrdered) {
   OrbOptions options;
   options.fast_threshold = 10;
@@ -279,5 +267,74 @@ TEST(FeatureOptions, ThresholdsAreOrdered) {
               ThrowsMessage<Error>(HasSubstr("fast_threshold_min: found 11, expected at most")));
 }
 
+// A texture that is not periodic within the patch, with structures of a few pixels.
+double TextureAt(const Eigen::Vector2d& p) {
+  return 128.0 + 40.0 * std::sin(0.9 * p.x() + 0.3 * p.y()) + 30.0 * std::cos(0.7 * p.y()) +
+         25.0 * std::sin(0.5 * p.x() - 0.8 * p.y() + 1.0);
+}
+
+// Draws the texture as a camera sees it. The origin of the texture is at `at_px` from the middle of
+// the patch; A maps texture units to pixels.
+FeaturePatch Draw(const Eigen::Vector2d& at_px, const Eigen::Matrix2d& A, double brightness = 0.0) {
+  FeaturePatch patch;
+  for (int y = 0; y < FeaturePatch::kSide_px; ++y) {
+    for (int x = 0; x < FeaturePatch::kSide_px; ++x) {
+      const Eigen::Vector2d from_corner =
+          Eigen::Vector2d(x - FeaturePatch::kRadius_px, y - FeaturePatch::kRadius_px) - at_px;
+      patch.pixels[y * FeaturePatch::kSide_px + x] =
+          static_cast<std::uint8_t>(std::lround(TextureAt(A.inverse() * from_corner) + brightness));
+    }
+  }
+  return patch;
+}
+
+FeaturePatch Reference() {
+  FeaturePatch patch = Draw({0.3, -0.4}, Eigen::Matrix2d::Identity());
+  patch.corner_u = 0.3F;
+  patch.corner_v = -0.4F;
+  return patch;
+}
+
+struct View {
+  Eigen::Vector2d shift_px;
+  Eigen::Matrix2d deformation;
+  double zoom;
+  double brightness;
+};
+
+class AlignFeaturePatchTest : public testing::TestWithParam<View> {};
+
+TEST_P(AlignFeaturePatchTest, FindsTheCorner) {
+  const View& view = GetParam();
+  FeaturePatch seen = Draw(view.shift_px + Eigen::Vector2d(-0.2, 0.1), view.zoom * view.deformation,
+                           view.brightness);
+  seen.corner_u = -0.2F;
+  seen.corner_v = 0.1F;
+  const auto shift = AlignFeaturePatch(Reference(), seen, view.zoom);
+  ASSERT_TRUE(shift.has_value());
+  EXPECT_NEAR(shift->x(), view.shift_px.x(), 0.03);
+  EXPECT_NEAR(shift->y(), view.shift_px.y(), 0.03);
+  EXPECT_EQ(shift, AlignFeaturePatchPlain(Reference(), seen, view.zoom));
+}
+
+Eigen::Matrix2d Deformation(double a, double b, double c, double d) {
+  return (Eigen::Matrix2d() << a, b, c, d).finished();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Views, AlignFeaturePatchTest,
+    testing::Values(View{{0.0, 0.0}, Deformation(1, 0, 0, 1), 1.0, 0.0},
+                    View{{0.7, -0.6}, Deformation(1, 0, 0, 1), 1.0, 12.0},
+                    View{{-0.5, 0.8}, Deformation(1, 0, 0, 1), 1.2, 0.0},
+                    View{{0.4, 0.3}, Deformation(1, 0, 0, 1), 0.85, -8.0},
+                    View{{0.3, 0.2}, Deformation(1, 0, 0, 1.12), 1.1, 0.0},
+                    View{{-0.4, 0.5}, Deformation(1, 0.1, -0.05, 1.05), 1.0, 0.0}));
+
+TEST(AlignFeaturePatch, RefusesDissimilarPatches) {
+  FeaturePatch negative = Reference();
+  for (std::uint8_t& pixel : negative.pixels) pixel = static_cast<std::uint8_t>(255 - pixel);
+  EXPECT_EQ(AlignFeaturePatch(Reference(), negative, 1.0), std::nullopt);
+}
+
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::parts_test

@@ -14,7 +14,7 @@
 #include "core/features/stereo_matcher.h"
 #include "core/geometry/stereo_camera.h"
 
-namespace cvo::testing {
+namespace cvo::test {
 
 // Synthetic images with known disparities. A scene consists of overlapping grey shapes ("dead
 // leaves", whose statistics are close to those of natural images) on a grid kSubpixelSteps times
@@ -95,4 +95,4 @@ inline double Disparity(const StereoFeature& feature) {
   return feature.z_px.x() - feature.z_px.z();
 }
 
-}  // namespace cvo::testing
+}  // namespace cvo::test

@@ -7,22 +7,22 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/median.h"
+#include "core/base/lists.h"
 #include "core/features/front_end.h"
 #include "core/features/patch_alignment.h"
 #include "tests/core/features/scene.h"
 
-namespace cvo {
+namespace cvo::stereo_test {
 namespace {
 
-using testing::CameraFor;
-using testing::Disparity;
-using testing::DrawScene;
-using ::testing::HasSubstr;
-using testing::kSubpixelSteps;
-using testing::MatchImages;
-using testing::Render;
-using ::testing::ThrowsMessage;
+using test::CameraFor;
+using test::Disparity;
+using test::DrawScene;
+using test::kSubpixelSteps;
+using test::MatchImages;
+using test::Render;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 struct Errors {
   int count = 0;
@@ -115,37 +115,12 @@ TEST(AlignPatch, FastPathEqualsPlainOne) {
   EXPECT_GT(found, 100);
 }
 
-TEST(MatchStereo, GroundDisparityIsUnbiased) {
-  const cv::Mat scene = DrawScene(320, 240, 2);
-  const auto fine_shift = [](int v) {
-    return static_cast<int>(std::lround(kSubpixelSteps * (4 + v / 7.0)));
-  };
-  const Errors errors = Measure(MatchImages(Render(scene, 0), Render(scene, fine_shift)),
-                                [](const StereoFeature& f) { return 4.0 + f.z_px.y() / 7.0; });
-  EXPECT_GT(errors.count, 250);
-  EXPECT_LE(errors.gross, errors.count / 100);
-  EXPECT_NEAR(errors.mean, 0.0, 0.03);
-  EXPECT_LT(errors.rms, 0.12);
-}
-
-TEST(MatchStereo, DisparitiesArePositiveAndCornersStayInOrder) {
-  const cv::Mat scene = DrawScene(320, 240, 3);
-  const std::vector<StereoFeature> features =
-      MatchImages(Render(scene, 0, 2.0, 1), Render(scene, 0, 2.0, 2));  // all at infinity
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    EXPECT_LT(features[i].z_px.z(), features[i].z_px.x());
-    if (i > 0) {
-      EXPECT_GE(features[i].z_px.y(), features[i - 1].z_px.y());
-    }
-  }
-}
-
 TEST(MatchStereo, RepetitiveTextureIsMostlyRejected) {
   // A tile of 40 px repeats, so every position in a row has competing matches.
   const cv::Mat tile = DrawScene(40, 240, 4).colRange(0, 40 * kSubpixelSteps);
   cv::Mat scene;
-  cv::repeat(tile, 1, (320 + testing::kMargin_px) / 40 + 1, scene);
-  scene = scene.colRange(0, (320 + testing::kMargin_px) * kSubpixelSteps).clone();
+  cv::repeat(tile, 1, (320 + test::kMargin_px) / 40 + 1, scene);
+  scene = scene.colRange(0, (320 + test::kMargin_px) * kSubpixelSteps).clone();
   const cv::Mat left = Render(scene, 0, 2.0, 1);
   const cv::Mat right = Render(scene, 12 * kSubpixelSteps, 2.0, 2);
   const auto truth = [](const StereoFeature&) { return 12.0; };
@@ -199,12 +174,6 @@ TEST(MatchStereo, CorrectsRowsOfAFaultyRectificationAsFarAsAllowed) {
   EXPECT_GT(following.count, 400);
   EXPECT_LT(following.rms, 0.06);
   EXPECT_GT(trusting.rms, 1.5 * following.rms);
-}
-
-TEST(MatchStereo, FlatImagesGiveNoFeatures) {
-  const cv::Mat flat(240, 320, CV_8UC1, cv::Scalar(90));
-  EXPECT_TRUE(MatchImages(flat, flat).empty());
-  EXPECT_TRUE(MatchImages(Render(DrawScene(320, 240, 8), 0), flat).empty());
 }
 
 TEST(ExtractStereoFeatures, DoesNotDependOnTheNumberOfThreads) {
@@ -277,4 +246,4 @@ TEST(ExtractStereoFeatures, ErrorsDescribeTheBadImage) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::stereo_test

@@ -151,23 +151,6 @@ TEST(StereoCamera, CovarianceHasTheStatedDeterminantAndDepthVariance) {
   }
 }
 
-TEST(StereoCamera, CovarianceAgreesWithSampledNoise) {
-  const StereoCamera camera = Camera();
-  Rng rng(5, "noise");
-  const Eigen::Vector3d sigma_px(0.2, 0.3, 0.1);
-  const Eigen::Vector3d z_px = camera.Project({-2.0, 1.0, 8.0}).value();
-  const Eigen::Vector3d p = camera.BackProject(z_px).value();
-  Eigen::Matrix3d sampled = Eigen::Matrix3d::Zero();
-  const int count = 20000;
-  for (int i = 0; i < count; ++i) {
-    const Eigen::Vector3d noise(rng.Normal(), rng.Normal(), rng.Normal());
-    const Eigen::Vector3d e = camera.BackProject(z_px + sigma_px.cwiseProduct(noise)).value() - p;
-    sampled += e * e.transpose() / count;
-  }
-  const Eigen::Matrix3d predicted = camera.PointCovariance(z_px, sigma_px.cwiseAbs2().asDiagonal());
-  EXPECT_LT((sampled - predicted).norm(), 0.05 * predicted.norm());
-}
-
 TEST(StereoCamera, DoesNotProjectPointsBehindOrTooNear) {
   const StereoCamera camera = Camera();
   EXPECT_FALSE(camera.Project({0, 0, -1}).has_value());

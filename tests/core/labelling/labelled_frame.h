@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/clusters/cluster_pose.h"
+#include "core/clusters/cluster_prediction.h"
 #include "core/labelling/cluster_labels.h"
 #include "core/labelling/landmark_update.h"
-#include "core/odometry/detection_policies.h"
+#include "core/odometry/cluster_update.h"
 #include "tests/core/clusters/small_windows.h"
 
 namespace cvo::test {

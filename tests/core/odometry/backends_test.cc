@@ -12,7 +12,7 @@
 namespace cvo {
 namespace {
 
-using testing::MovingWorld;
+using test::MovingWorld;
 
 // The largest difference so far between the two solutions of a problem.
 struct Agreement {
@@ -64,7 +64,7 @@ struct WithBoth : V {
 template <typename V>
 Agreement Watch(int frames) {
   agreement = {};
-  const MovingWorld world(5, testing::TwoBodies());
+  const MovingWorld world(5, test::TwoBodies());
   TaskPool pool(1);
   Options options;
   V::SetDefaults(options);

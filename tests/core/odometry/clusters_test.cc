@@ -10,14 +10,14 @@
 namespace cvo {
 namespace {
 
-using testing::ClusterRun;
-using ::testing::IsEmpty;
-using testing::MovingWorld;
-using testing::RunClusters;
-using testing::RunSettings;
-using testing::WorldView;
+using test::ClusterRun;
+using test::MovingWorld;
+using test::RunClusters;
+using test::RunSettings;
+using test::WorldView;
+using testing::IsEmpty;
 
-class EveryVariantWithBodies : public ::testing::TestWithParam<std::string_view> {
+class EveryVariantWithBodies : public testing::TestWithParam<std::string_view> {
  protected:
   template <typename Change>
   ClusterRun Watch(int frames, Change change) const {
@@ -34,7 +34,7 @@ class EveryVariantWithBodies : public ::testing::TestWithParam<std::string_view>
     EXPECT_EQ(are_there, GetParam().substr(0, 6) != "static");
   }
 
-  MovingWorld world_{5, testing::TwoBodies()};
+  MovingWorld world_{5, test::TwoBodies()};
 };
 
 std::vector<std::string_view> VariantNames() {
@@ -43,7 +43,7 @@ std::vector<std::string_view> VariantNames() {
   return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Clusters, EveryVariantWithBodies, ::testing::ValuesIn(VariantNames()),
+INSTANTIATE_TEST_SUITE_P(Clusters, EveryVariantWithBodies, testing::ValuesIn(VariantNames()),
                          [](const auto& variant) { return std::string(variant.param); });
 
 // Returns the position error of the camera in a report, m.
@@ -120,9 +120,9 @@ void ExpectSound(const ClusterRun& run) {
 TEST_P(EveryVariantWithBodies, IsIdenticalForAnyThreadCount) {
   RunSettings settings;
   settings.frames = 22;
-  const ClusterRun one = RunClusters(GetParam(), world_, settings, testing::kNoChange);
+  const ClusterRun one = RunClusters(GetParam(), world_, settings, test::kNoChange);
   settings.threads = 3;
-  const ClusterRun three = RunClusters(GetParam(), world_, settings, testing::kNoChange);
+  const ClusterRun three = RunClusters(GetParam(), world_, settings, test::kNoChange);
   ExpectSound(one);
   for (int i = 0; i < settings.frames; ++i) {
     ExpectSameBytes(one.trajectory[i], three.trajectory[i]);
@@ -138,7 +138,7 @@ TEST_P(EveryVariantWithBodies, IsIdenticalForAnyThreadCount) {
 TEST_P(EveryVariantWithBodies, FindsNothingWithoutDetections) {
   const ClusterRun run = Watch(20, [](int, WorldView& view) { view.frame.detections.clear(); });
   ExpectSound(run);
-  EXPECT_THAT(testing::ReportedIds(run), IsEmpty());
+  EXPECT_THAT(test::ReportedIds(run), IsEmpty());
   EXPECT_THAT(run.clusters, IsEmpty());
   // Bodies that are not known to move bias the camera pose.
   EXPECT_LT(CameraError(run.reports.back(), 19), 0.1);
@@ -152,7 +152,7 @@ TEST_P(EveryVariantWithBodies, IgnoresBoxesWithoutAreaOrFeatures) {
     if (i % 3 == 0) view.frame.features.clear();
   });
   ExpectSound(run);
-  EXPECT_THAT(testing::ReportedIds(run), IsEmpty());
+  EXPECT_THAT(test::ReportedIds(run), IsEmpty());
 }
 
 TEST_P(EveryVariantWithBodies, SurvivesFiveHundredBoxes) {
@@ -212,7 +212,7 @@ TEST_P(EveryVariantWithBodies, ReportsNoClusterFromASingleDetection) {
     if (i != 5) view.frame.detections.clear();
   });
   ExpectSound(run);
-  EXPECT_THAT(testing::ReportedIds(run), IsEmpty());
+  EXPECT_THAT(test::ReportedIds(run), IsEmpty());
   EXPECT_THAT(run.clusters, IsEmpty());
 }
 
@@ -236,12 +236,12 @@ TEST_P(EveryVariantWithBodies, RestartsInAnUnknownPlace) {
 
 TEST_P(EveryVariantWithBodies, AcceptsGivenLabelsAndBoxesTogether) {
   const ClusterRun run = Watch(12, [](int, WorldView& view) {
-    view.frame.given.feature_body = testing::BodyIds(view.of_body);
-    view.frame.given.detection_body = testing::BodyIds(view.box_body);
+    view.frame.given.feature_body = test::BodyIds(view.of_body);
+    view.frame.given.detection_body = test::BodyIds(view.box_body);
   });
   ExpectSound(run);
   const bool is_static = GetParam().substr(0, 6) == "static";
-  EXPECT_EQ(testing::ReportedIds(run).size(), is_static ? 0u : 2u);
+  EXPECT_EQ(test::ReportedIds(run).size(), is_static ? 0u : 2u);
 }
 
 TEST_P(EveryVariantWithBodies, RefusesGivenListsOfTheWrongLength) {
@@ -270,7 +270,7 @@ TEST_P(EveryVariantWithBodies, PredictsClustersInSkippedFrames) {
   EXPECT_EQ(run.reports[18].status, FrameStatus::kTracked);
   // The clusters are the same before and after.
   for (const ClusterReport& cluster : run.reports[11].clusters) {
-    EXPECT_NE(testing::FindReport(run.reports[20], cluster.id), nullptr) << cluster.id.value;
+    EXPECT_NE(test::FindReport(run.reports[20], cluster.id), nullptr) << cluster.id.value;
   }
 }
 

@@ -6,16 +6,17 @@
 
 #include "tests/support/cluster_run.h"
 
-namespace cvo {
+namespace cvo::trace_back_test {
 namespace {
 
-using testing::ClusterOfBody;
-using testing::ClusterRun;
-using testing::FindTrajectory;
-using testing::MovingWorld;
-using testing::RunClusters;
-using testing::RunSettings;
-using testing::WorldView;
+using test::ClusterOfBody;
+using test::ClusterRun;
+using test::FindReport;
+using test::FindTrajectory;
+using test::MovingWorld;
+using test::RunClusters;
+using test::RunSettings;
+using test::WorldView;
 
 constexpr int kFrames = 30;
 
@@ -94,69 +95,6 @@ TEST(TraceBack, EndsWhereTheBodyWasNotObserved) {
   EXPECT_EQ(Watch({.detected_from = 8, .features_from = 4}).frames.front(), 4);
 }
 
-// T_t holds frames 0 to 6. The cluster was created in frame 4; its trajectory begins with frame 0.
-struct Found {
-  Window window;
-  Cluster cluster;
-  ClusterTrajectory trajectory;
-  ClusterOptions options;
-
-  Found() {
-    cluster.detections = options.confirm_detections;
-    for (const int frame : {0, 1, 2, 3, 4, 5, 6}) {
-      window.temporal.push_back({FrameId{frame}, {}});
-      ClusterPose pose;
-      pose.frame = frame;
-      pose.status = frame >= 4 ? ClusterStatus::kTracked : ClusterStatus::kPredicted;
-      trajectory.poses.push_back(pose);
-      if (frame >= 4)
-        cluster.states.push_back({FrameId{frame}, MovingWorld::TimeOf(frame), {}, {}});
-    }
-  }
-  std::vector<FrameId> Frames() const {
-    return internal::FramesToTrace(options, window, trajectory, cluster);
-  }
-};
-
-TEST(FramesToTrace, AreThoseBeforeTheClusterWasFound) {
-  const std::vector<FrameId> all = {FrameId{3}, FrameId{2}, FrameId{1}, FrameId{0}};
-  EXPECT_EQ(Found().Frames(), all);
-  EXPECT_EQ(internal::FirstTracked(Found().window, Found().cluster), FrameId{4});
-}
-
-TEST(FramesToTrace, EndWhereTheClusterWasTracked) {
-  const std::vector<FrameId> two = {FrameId{3}, FrameId{2}};
-  Found by_trajectory;  // under an inherited identity
-  by_trajectory.trajectory.poses[1].status = ClusterStatus::kTracked;
-  EXPECT_EQ(by_trajectory.Frames(), two);
-  // Too few landmarks to count as tracked, but the frame must not get a second state.
-  Found by_state;
-  by_state.cluster.states.insert(by_state.cluster.states.begin(),
-                                 {FrameId{1}, MovingWorld::TimeOf(1), {}, {}});
-  EXPECT_EQ(by_state.Frames(), two);
-}
-
-TEST(FramesToTrace, AreNoneIfDisabledOrTooEarly) {
-  Found off;
-  off.options.trace_states = 0;
-  EXPECT_TRUE(off.Frames().empty());
-  Found young;
-  young.options.trace_states = 4;
-  EXPECT_TRUE(young.Frames().empty());
-  Found unconfirmed;
-  unconfirmed.cluster.detections = 1;
-  EXPECT_TRUE(unconfirmed.Frames().empty());
-  Found just_confirmed;
-  just_confirmed.cluster.last_detected = just_confirmed.cluster.last_observed = FrameId{6};
-  EXPECT_TRUE(just_confirmed.Frames().empty());
-  Found lost;
-  lost.cluster.states.pop_back();
-  EXPECT_TRUE(lost.Frames().empty());
-  Found done;
-  done.cluster.lost_before = FrameId{4};
-  EXPECT_TRUE(done.Frames().empty());
-}
-
 TEST(PredictBack, ExtrapolatesBackwardsFromTheNextTwoStates) {
   const auto at = [](double time_s) {
     return RigidTransform(ExpSo3({0.0, 0.5 * time_s, 0.0}), Eigen::Vector3d(time_s, 0.0, 4.0));
@@ -186,5 +124,54 @@ TEST(PredictBack, ExtrapolatesBackwardsFromTheNextTwoStates) {
   EXPECT_GT(predicted.translation_variance_m2, 0.0);
 }
 
+// Makes features beyond the left border of the right image visible in the left image only.
+void HideBeyondTheRightImage(WorldView& view) {
+  for (StereoFeature& feature : view.frame.features) {
+    if (feature.z_px[2] >= 0.0) continue;
+    feature.z_px[2] = feature.z_px[0];
+    feature.disagreement_px = kNoDisparity_px;
+  }
+}
+
+// Number of frames in which only the left image shows the body, and of those in which it is
+// tracked.
+struct BlindFrames {
+  int all = 0;
+  int tracked = 0;
+};
+BlindFrames WatchABodyLeave(bool uses_left_only) {
+  const auto path = [](double time_s) {
+    return RigidTransform(
+        Eigen::Quaterniond::Identity(),
+        Eigen::Vector3d(-0.6 - 0.5 * std::min(time_s, 2.0), 0.0, 2.6 + 0.5 * time_s));
+  };
+  const MovingWorld world(5, {{"crate", {0.2, 0.2, 0.2}, 120, path}});
+  RunSettings settings;
+  settings.options.association.left_only = uses_left_only;
+  const ClusterRun run = RunClusters("full", world, settings,
+                                     [](int, WorldView& view) { HideBeyondTheRightImage(view); });
+  const ClusterId id = ClusterOfBody(run, 10, 1);
+  BlindFrames blind;
+  for (int i = 10; i < settings.frames; ++i) {
+    const WorldView& view = run.views[i];
+    bool is_blind = true;
+    for (std::size_t k = 0; k < view.of_body.size(); ++k) {
+      is_blind = is_blind && (view.of_body[k] != 1 || IsLeftOnly(view.frame.features[k]));
+    }
+    if (!is_blind) continue;
+    ++blind.all;
+    const ClusterReport* report = FindReport(run.reports[i], id);
+    blind.tracked += report != nullptr && report->status == ClusterStatus::kTracked;
+  }
+  return blind;
+}
+
+TEST(MovingBodies, AreTrackedWhereOnlyTheLeftImageShowsThem) {
+  const BlindFrames with = WatchABodyLeave(true);
+  EXPECT_GE(with.all, 4);
+  EXPECT_EQ(with.tracked, with.all);
+  EXPECT_EQ(WatchABodyLeave(false).tracked, 0);
+}
+
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::trace_back_test

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "core/base/rng.h"
-#include "core/ceres/ceres_costs.h"
-#include "core/solvers/measurement_noise.h"
+#include "core/ceres/ceres_solvers.h"
 #include "core/solvers/reprojection_cost.h"
 #include "tests/support/gradient_check.h"
 

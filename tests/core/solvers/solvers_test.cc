@@ -9,8 +9,7 @@
 #include "core/base/rng.h"
 #include "core/ceres/ceres_solvers.h"
 #include "core/solvers/cluster_solver.h"
-#include "core/solvers/schur_minimizer.h"
-#include "core/solvers/schur_reprojection.h"
+#include "core/solvers/schur_solver.h"
 #include "tests/support/gradient_check.h"
 
 namespace cvo::solvers_test {
@@ -109,23 +108,6 @@ TEST(SolveWindow, AgreesWithCeresWithAPriorAndFixedFramesAnywhere) {
     problem.is_fixed[2] = problem.is_fixed[5] = 1;
     ExpectAgreement(problem);
   }
-}
-
-TEST(SolveWindow, RefusesFactorsOutOfOrder) {
-  Rng rng(3, "solvers");
-  WindowProblem problem = RandomWindow(3, 5, rng);
-  std::swap(problem.factors.front(), problem.factors.back());
-  EXPECT_THROW(SolveWindow({}, {}, problem), Error);
-}
-
-TEST(SolveWindow, LeavesUnobservedFramesUnchanged) {
-  Rng rng(4, "solvers");
-  WindowProblem problem = RandomWindow(4, 40, rng);
-  problem.is_fixed[0] = problem.is_right_field_fixed = 1;
-  std::erase_if(problem.factors, [](const auto& factor) { return factor.pose == 2; });
-  const RigidTransform before = problem.world_from_camera[2];
-  SolveWindow({}, {}, problem);
-  EXPECT_EQ(problem.world_from_camera[2].Minus(before).norm(), 0.0);
 }
 
 TEST(SolveWindow, ReportsHowItEnded) {

@@ -47,18 +47,18 @@ inline std::string SomeKey(char digit) { return std::string(64, digit); }
 
 inline void Store(const FrontEndCache& cache, const std::string& key,
                   const std::vector<FrontEndFrame>& frames) {
-  FrontEndRecording recording = cache.Record();
+  FeatureRecording recording = cache.Record(key);
   for (const FrontEndFrame& frame : frames) recording.Add(frame);
-  recording.Finish(key);
+  recording.Finish();
 }
 
 // Returns all frames of an entry as bytes, or "" if there is no such entry. Throws Error if one is
 // damaged.
 inline std::string Load(const FrontEndCache& cache, const std::string& key, std::size_t frames) {
-  const std::optional<FeatureFile> file = cache.Find(key, frames);
+  std::optional<FeatureFile> file = cache.Find(key);
   if (!file) return "";
   std::vector<FrontEndFrame> loaded;
-  for (std::size_t i = 0; i < frames; ++i) loaded.push_back(file->Frame(i));
+  for (std::size_t i = 0; i < frames; ++i) loaded.push_back(file->Next());
   return BytesOf(loaded);
 }
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/files/json/json.h"
-#include "experiments/suite/parse_suite.h"
+#include "experiments/suite/suite.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/error_message.h"
@@ -76,7 +76,9 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
   for (const std::vector<std::string>& command :
        std::vector<std::vector<std::string>>{{"experiment", "status"},
                                              {"experiment", "table"},
-                                             {"experiment", "times"},
+                                             {"experiment", "table", "--times"},
+                                             {"experiment", "compare", out().string()},
+                                             {"plot", "-o", "figures"},
                                              {"report"}}) {
     std::vector<std::string> of_all = command;
     of_all.push_back(out().string());
@@ -103,12 +105,13 @@ TEST_F(CollectionTest, ATimedSuiteShowsItsTimes) {
                             HasSubstr("1 thread."), HasSubstr("in 1 run, 1 thread of ")));
   EXPECT_FALSE(fs::exists(folder_.path() / "cache" / "frontend"));  // not shared between jobs
   const ProcessResult times =
-      test::RunProgram({"experiment", "times", (out() / "timed").string()}, {});
+      test::RunProgram({"experiment", "table", (out() / "timed").string(), "--times"}, {});
   EXPECT_THAT(times.out,
               AllOf(HasSubstr("clusters per frame"), HasSubstr("features [ms]"),
                     HasSubstr("wall    none        static   1     0.0"), HasSubstr("machine: ")));
-  test::ExpectError(test::RunProgram({"experiment", "times", folder_.path().string()}, {}),
-                    "plan.json");
+  test::ExpectError(
+      test::RunProgram({"experiment", "table", folder_.path().string(), "--times"}, {}),
+      "plan.json");
 }
 
 TEST_F(CollectionTest, PlanListsTheRunsAndMissingDataOfEachSection) {
@@ -117,7 +120,7 @@ TEST_F(CollectionTest, PlanListsTheRunsAndMissingDataOfEachSection) {
       R"({"title": "Table 1", "columns": ["a"], "rows": []},
          {"title": "Table 2", "suite": "here.json", "data": "example.org/here"},
          {"title": "Table 3", "suite": "here.json", "data": "example.org/more"})",
-      {}, "plan");
+      {}, "status");
   ASSERT_EQ(plan.exit_code, 0) << plan.err;
   EXPECT_THAT(plan.out, HasSubstr("Table 1\nno runs of its own\n"));
   EXPECT_THAT(plan.out, HasSubstr("Table 2\nsuite here: 2 jobs on 2 sequences"));

@@ -1,24 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `clustervo experiment run`, `status` and `job` as processes, on images drawn by the test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
-#include "experiments/jobs/child_process.h"
-#include "experiments/jobs/folder_lock.h"
+#include "experiments/jobs/engine.h"
+#include "experiments/jobs/job_status.h"
 #include "tests/experiments/cli/process.h"
+#include "tests/experiments/jobs/slurm/slurm_cluster.h"
 #include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/experiments/suite/examples.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::test::experiment_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,6 +32,8 @@ using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
+
+// `clustervo experiment run`, `status` and `job` as processes, on images drawn by the test.
 
 class CliExperiment : public testing::Test {
  protected:
@@ -91,14 +97,15 @@ TEST_F(CliExperiment, RunsOnlyUnfinishedJobs) {
   const std::string bytes = test::ReadFile(results[0]);
   const auto kept = fs::last_write_time(results[1]);
   test::CutFile(results[0]);
-  folder_.Write(results[0].parent_path() / ".result.json.tmp-node.1-0", "of a killed process");
+  folder_.Write(results[0].parent_path() / ".result.json.tmp-0123456789abcdef",
+                "of a killed process");
   EXPECT_EQ(Status()["counts"]["missing"], 1);
   const ProcessResult again = Run();
   ASSERT_EQ(again.exit_code, 0) << again.err;
   EXPECT_THAT(again.err, HasSubstr("1/1 jobs"));
   EXPECT_EQ(test::ReadFile(results[0]), bytes);
   EXPECT_EQ(fs::last_write_time(results[1]), kept);
-  EXPECT_FALSE(fs::exists(results[0].parent_path() / ".result.json.tmp-node.1-0"));
+  EXPECT_FALSE(fs::exists(results[0].parent_path() / ".result.json.tmp-0123456789abcdef"));
 }
 
 TEST_F(CliExperiment, AnEditedSuiteReusesResults) {
@@ -239,15 +246,100 @@ TEST_F(CliExperiment, AFolderThatBecomesReadOnlyLosesNothing) {
   EXPECT_EQ(after, bytes);
 }
 
-TEST_F(CliExperiment, IncompleteFilesAreNoResults) {
-  // The limit is below the size of a result, at least 20 kB, and above that of the plan, logs and
-  // failure records.
-  const ProcessResult run = Run({}, {.file_size_limit = 6000});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.out + run.err, HasSubstr("cannot write: "));
-  EXPECT_TRUE(Results().empty());
-  EXPECT_EQ(Run().out, "small: 2 jobs: 2 done\n");
+// `clustervo list suites` and `experiment status SUITE` as processes.
+
+class CliExperimentPlan : public testing::Test {
+ protected:
+  ProcessResult Plan(std::vector<std::string> more) const {
+    std::vector<std::string> arguments = {"experiment", "status", "-q", "-o",
+                                          (folder_.path() / "out").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments,
+                      {.environment = {"CLUSTERVO_CACHE=" + (folder_.path() / "cache").string(),
+                                       "CLUSTERVO_DATA=" + folder_.path().string()}});
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(CliExperimentPlan, ListsTheSuitesWithTheirSizes) {
+  const ProcessResult list = RunProgram({"list", "suites"});
+  EXPECT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_THAT(list.out, HasSubstr("oracle_ladder"));
+  EXPECT_THAT(list.out, testing::ContainsRegex("ablation +test +40 +6 +1 +1 +240 "));
+}
+
+TEST_F(CliExperimentPlan, ListsJobsAndMissingSequences) {
+  test::WriteTinySequence(folder_.path() / "07", 4);
+  Json json = test::FolderSuite("07");
+  json["sequences"].push_back({{"folder", "08"}});
+  const std::string suite = folder_.Write("s.json", json.dump()).string();
+  const ProcessResult plan = Plan({suite, "--seeds", "2"});
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  EXPECT_THAT(plan.out, HasSubstr("suite small: 4 jobs on 2 sequences"));
+  EXPECT_THAT(plan.out, HasSubstr("to run: 2\n  2 x new"));
+  EXPECT_THAT(plan.out, HasSubstr("missing, left out: 2\n  2 x no 08 below"));
+  EXPECT_THAT(plan.out, HasSubstr("estimated time: 1 s with 1 process"));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
+}
+
+TEST_F(CliExperimentPlan, BadInputGivesOneLineAndAnExitCode) {
+  const std::string file = folder_.Write("s.json", R"({"name": "s", "sedes": 3})").string();
+  for (const auto& arguments :
+       std::vector<std::vector<std::string>>{{"no_such_suite"},
+                                             {file},
+                                             {"ci", "--set", "window.spatail=3"},
+                                             {"ci", "--seeds", "0"}}) {
+    const ProcessResult plan = Plan(arguments);
+    EXPECT_EQ(plan.exit_code, 2) << plan.err;
+    EXPECT_EQ(test::LineCount(plan.err), 1U) << plan.err;
+    EXPECT_EQ(plan.out, "");
+  }
+}
+
+constexpr const char* kSuite = R"({
+  "name": "small",
+  "about": "Two variants on one small scene",
+  "sequences": [{"scene": "tiny", "detections": "good"}],
+  "variants": ["full", "2d"],
+  "seeds": 1,
+  "table": {"rows": ["variant"], "metrics": ["camera_ate"], "reference": "full"}
+})";
+
+// Returns the files written by the jobs of a suite, except for their times.
+std::map<std::string, std::string> ResultsIn(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder / "jobs")) {
+    if (!entry.is_regular_file() || entry.path().filename() == "timing.json") continue;
+    files[entry.path().lexically_relative(folder).string()] = ReadFile(entry.path());
+  }
+  return files;
+}
+
+ProcessResult RunSuiteOn(const std::string& engine, const TempFolder& temp) {
+  const fs::path suite = temp.Write("suite.json", kSuite);
+  return RunProgram(
+      {"experiment", "run", suite.string(), "-o", (temp.path() / engine).string(), "--engine",
+       engine, "-j", "2"},
+      {.environment = {"CLUSTERVO_CACHE=" + (temp.path() / "cache").string() + engine}});
+}
+
+TEST(Slurm, GivesTheSameBytesAsTheLocalEngine) {
+  const SlurmCluster cluster;
+  if (!cluster.missing().empty()) GTEST_SKIP() << cluster.missing();
+  const TempFolder temp;
+  const ProcessResult local = RunSuiteOn("local", temp);
+  ASSERT_EQ(local.exit_code, 0) << local.err;
+  const ProcessResult slurm = RunSuiteOn("slurm", temp);
+  ASSERT_EQ(slurm.exit_code, 0) << slurm.err;
+  EXPECT_THAT(slurm.err, HasSubstr("slurm: job "));
+  const std::map<std::string, std::string> results = ResultsIn(temp.path() / "slurm");
+  EXPECT_EQ(results, ResultsIn(temp.path() / "local"));
+  EXPECT_EQ(std::count_if(results.begin(), results.end(),
+                          [](const auto& file) { return file.first.ends_with("/result.json"); }),
+            2);
+  EXPECT_EQ(slurm.out, local.out);
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::test::experiment_test

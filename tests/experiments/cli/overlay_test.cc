@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -100,29 +100,6 @@ TEST_F(CliOverlay, DrawsRunsSideBySide) {
   ASSERT_EQ(both.exit_code, 0) << both.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
   EXPECT_GT(ReadImageFile(out() / "000004.png", cv::IMREAD_COLOR).cols, 2 * test::kTinyWidth_px);
-}
-
-TEST_F(CliOverlay, DrawsFourPanelsOfAFrame) {
-  MakeRun();
-  const ProcessResult made = Overlay({run().string(), "--frame", "4", "--panels"});
-  ASSERT_EQ(made.exit_code, 0) << made.err;
-  EXPECT_THAT(made.out, HasSubstr("panels.jpg"));
-  const cv::Mat panels = ReadImageFile(out() / "panels.jpg", cv::IMREAD_COLOR);
-  EXPECT_GT(panels.cols, 2 * test::kTinyWidth_px);
-  EXPECT_GT(panels.rows, 2 * test::kTinyHeight_px);
-  // Images are grey, whereas landmarks and boxes have the colours of their bodies.
-  std::vector<cv::Mat> channels;
-  cv::split(panels, channels);
-  EXPECT_GT(cv::countNonZero(cv::abs(channels[0] - channels[2]) > 60), 100);
-  ASSERT_EQ(Overlay({run().string(), "--frame", "4", "--panels"}, "two").exit_code, 0);
-  EXPECT_EQ(ReadFile(out() / "panels.jpg"), ReadFile(out("two") / "panels.jpg"));
-  const ProcessResult all = Overlay({run().string(), "--panels"}, "three");
-  EXPECT_EQ(all.exit_code, 2);
-  EXPECT_THAT(all.err, HasSubstr("--panels: --frame N"));
-  const ProcessResult two =
-      Overlay({run().string(), run().string(), "--panels", "--frame", "4"}, "three");
-  EXPECT_EQ(two.exit_code, 2);
-  EXPECT_THAT(two.err, HasSubstr("--panels needs exactly one run"));
 }
 
 TEST_F(CliOverlay, WritesOnlyAVideoAndReportsItsFormat) {

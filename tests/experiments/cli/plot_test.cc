@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `clustervo plot` as a process: its summary of trajectories, its output files and its errors.
+// `clustervo plot` as a process: its summary of trajectories, its output files, its errors
+// and the figures of a suite.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -14,14 +13,17 @@
 #include "core/files/text/number.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/reports/results/result_files.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::BodyOf;
 using test::ExpectError;
 using test::ProcessResult;
+using test::ProcessSetup;
 using test::RunProgram;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -66,11 +68,11 @@ class CliPlot : public testing::Test {
     }
     return folder_.Write(name, text.str()).string();
   }
-  std::string out(const std::string& name = "plot.html") const {
+  std::string out(const std::string& name = "plot.svg") const {
     return (folder_.path() / name).string();
   }
   ProcessResult Plot(std::vector<std::string> arguments,
-                     const std::string& name = "plot.html") const {
+                     const std::string& name = "plot.svg") const {
     arguments.insert(arguments.begin(), "plot");
     arguments.insert(arguments.end(), {"-o", out(name)});
     return RunProgram(arguments);
@@ -111,9 +113,9 @@ TEST_F(CliPlot, AlignmentIsChosenAndNamed) {
   EXPECT_GT(SummaryValue(plot_with("none"), "rms m"), 0.5);
   EXPECT_GT(SummaryValue(plot_with("se3"), "rms m"), 0.1);
   EXPECT_THAT(test::ReadFile(out()),
-              AllOf(HasSubstr("<h1>Trajectory against truth</h1>"),
+              AllOf(StartsWith("<svg"), HasSubstr(">Trajectory against truth<"),
                     HasSubstr("Aligned by SE(3) over positions; poses matched within 0.02 s"),
-                    HasSubstr("turned: "), Not(HasSubstr("http-equiv"))));
+                    HasSubstr(">turned: ")));
 }
 
 TEST_F(CliPlot, ReadsCommaSeparatedEurocFiles) {
@@ -159,35 +161,132 @@ TEST_F(CliPlot, PlotsARunAgainstItsTruthWithTheErrorOfItsResult) {
 
 TEST_F(CliPlot, BadInputGivesOneLine) {
   const std::string truth = Tum("truth.txt");
-  ExpectError(Plot({truth}, "plot.png"), "expected a name that ends in .svg, .pdf or .html", 2);
+  ExpectError(Plot({truth}, "plot.html"), "expected a name that ends in .svg or .pdf", 2);
+  ExpectError(Plot({truth, "--only", "x"}), "--only: applies to a suite", 2);
   ExpectError(Plot({truth, "--align", "se3"}), "--align: needs --groundtruth", 2);
-  ExpectError(Plot({folder_.path().string()}), "found a folder without result.json");
+  ExpectError(Plot({folder_.path().string()}), "found a folder without result.json or plan.json");
   ExpectError(Plot({folder_.Write("bad.txt", "1 2 3\n").string()}), "bad.txt:1: found 3 columns");
   ExpectError(Plot({folder_.Write("comma.csv", "1,2,3\n").string()}), "comma.csv:1: found 3 col");
   ExpectError(Plot({(folder_.path() / "none.txt").string()}), "none.txt");
   ExpectError(Plot({Tum("one.txt", 0.0, 1), "--groundtruth", truth}),
               "one.txt: found 1 poses that match one of truth, expected 2 or more within 0.02 s");
-  ExpectError(Plot({truth}, "truth.txt/plot.html"), "truth.txt");
-  ExpectError(RunProgram({"plot", truth, "-o", out("plot.svg")},
-                         {.environment = {"CLUSTERVO_BROWSER=/nowhere"}}),
-              "/nowhere: found a program that cannot be run, expected a Chromium");
+  ExpectError(Plot({truth}, "truth.txt/plot.svg"), "truth.txt");
+  ExpectError(RunProgram({"plot", truth, "-o", out("plot.pdf")},
+                         {.environment = {"PATH=" + folder_.path().string()}}),
+              "pdf: found no rsvg-convert in PATH");
   EXPECT_FALSE(fs::exists(out())) << "nothing is written";
 }
 
-TEST_F(CliPlot, BrowserDrawingsAreReproducible) {
-  const char* chosen = std::getenv("CLUSTERVO_BROWSER");
-  if (::access(chosen != nullptr ? chosen : "/usr/bin/chromium", X_OK) != 0) {
-    GTEST_SKIP() << "no Chromium: /usr/bin/chromium or CLUSTERVO_BROWSER";
-  }
+TEST_F(CliPlot, DrawingsAreReproducible) {
   const std::vector<std::string> arguments = {Tum("a.txt"), Tum("b<i>.txt", 2.0)};
-  ASSERT_EQ(Plot(arguments, "plot.svg").exit_code, 0);
-  const std::string svg = test::ReadFile(out("plot.svg"));
+  ASSERT_EQ(Plot(arguments).exit_code, 0);
+  const std::string svg = test::ReadFile(out());
   EXPECT_THAT(svg, AllOf(StartsWith("<svg"), HasSubstr("Trajectories against a"),
-                         HasSubstr("distance (m)"), HasSubstr("b&#60;i&#62;")));
-  ASSERT_EQ(Plot(arguments, "plot.svg").exit_code, 0);
-  EXPECT_EQ(test::ReadFile(out("plot.svg")), svg);
-  ASSERT_EQ(Plot(arguments, "plot.pdf").exit_code, 0);
+                         HasSubstr("distance (m)"), HasSubstr("b&lt;i&gt;")));
+  ASSERT_EQ(Plot(arguments).exit_code, 0);
+  EXPECT_EQ(test::ReadFile(out()), svg);
+  const ProcessResult pdf = Plot(arguments, "plot.pdf");
+  if (pdf.err.find("no rsvg-convert") != std::string::npos) GTEST_SKIP() << pdf.err;
+  ASSERT_EQ(pdf.exit_code, 0) << pdf.err;
   EXPECT_THAT(test::ReadFile(out("plot.pdf")), StartsWith("%PDF-"));
+}
+
+// The figures of a suite, on hand-made results.
+
+constexpr char kHostile[] = "room <script>alert(1)</script>";
+
+// Two variants on one sequence whose name contains markup.
+struct HostileSuite : test::SuiteResults {
+  HostileSuite() {
+    table["rows"] = {"variant"};
+    table["reference"] = "full";
+    for (const auto& [variant, error_m] : {std::pair{"full", 0.02}, {"2d", 0.04}}) {
+      const Json bodies = {BodyOf(1, {error_m, error_m, -1.0})};
+      Add(test::WithBodies(test::Result(kHostile), bodies), variant, 1);
+    }
+  }
+  fs::path out() const { return folder().path() / "figures"; }
+  ProcessResult Draw(std::vector<std::string> more, const ProcessSetup& setup = {}) const {
+    std::vector<std::string> arguments = {"plot", Written().string(), "-o", out().string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return RunProgram(arguments, setup);
+  }
+};
+
+TEST(CliFigures, NamesStayTextAndBytesAreReproducible) {
+  const HostileSuite suite;
+  const ProcessResult run = suite.Draw({});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(HasSubstr("error-reduction.svg: Change in error relative to full"),
+                             HasSubstr("not drawn: Time by stage")));
+  const std::string svg = test::ReadFile(suite.out() / "error-reduction.svg");
+  EXPECT_THAT(svg, StartsWith("<svg"));
+  EXPECT_THAT(svg,
+              AllOf(HasSubstr("Change in error relative to full, in percent"),
+                    HasSubstr("room &lt;script&gt;alert(1)&lt;/script&gt;"), HasSubstr("(+100)"),
+                    HasSubstr("In brackets:"), Not(HasSubstr("<script"))));
+  suite.Draw({});
+  EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.svg"), svg);
+}
+
+TEST(CliFigures, WidthAndFontAreFlags) {
+  const HostileSuite suite;
+  const ProcessResult run = suite.Draw({"--width", "85", "--font", "Times", "--font-size", "7"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(test::ReadFile(suite.out() / "error-over-coverage-object-ate.svg"),
+              AllOf(HasSubstr("width=\"63.75mm\""), HasSubstr("font-family=\"Times\""),
+                    HasSubstr("font-size=\"7\"")));
+}
+
+TEST(CliFigures, DrawsOneFigureByName) {
+  const HostileSuite suite;
+  const ProcessResult run = suite.Draw({"--only", "error-reduction"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_TRUE(fs::exists(suite.out() / "error-reduction.svg"));
+  EXPECT_FALSE(fs::exists(suite.out() / "error-over-coverage-object-ate.svg"));
+  EXPECT_THAT(run.out, Not(HasSubstr("not drawn")));
+  ExpectError(
+      suite.Draw({"--only", "error-reductoin"}),
+      "--only: found \"error-reductoin\" (did you mean error-reduction?), expected one of: ", 2);
+}
+
+TEST(CliFigures, MissingInputGivesOneLine) {
+  const HostileSuite suite;
+  const test::TempFolder empty;
+  ExpectError(suite.Draw({"--format", "pdf"}, {.environment = {"PATH=" + empty.path().string()}}),
+              "pdf: found no rsvg-convert in PATH, expected it");
+  EXPECT_FALSE(fs::exists(suite.out())) << "nothing is left of what was not made";
+  const ProcessResult usage = suite.Draw({"--format", "png"});
+  EXPECT_EQ(usage.exit_code, 2);
+  EXPECT_EQ(test::LineCount(usage.err), 1U);
+}
+
+TEST(CliFigures, FlagsOfTrajectoriesAreRefused) {
+  const HostileSuite suite;
+  ExpectError(suite.Draw({"--align", "se3"}), "--align: applies to trajectories", 2);
+  ExpectError(suite.Draw({"truth.txt"}), "found the folder of a suite, expected it alone", 2);
+}
+
+TEST(CliFigures, DrawsNothingForASuiteThatHasNotRun) {
+  test::SuiteResults suite;
+  suite.Plan("room", "full");
+  const fs::path out = suite.folder().path() / "figures";
+  const ProcessResult run = RunProgram({"plot", suite.Written().string(), "-o", out.string()});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, AllOf(StartsWith("not drawn: "), HasSubstr("Error over coverage")));
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST(CliFigures, PdfIsReproducible) {
+  const HostileSuite suite;
+  const std::vector<std::string> one = {"--only", "error-reduction", "--format", "pdf"};
+  const ProcessResult run = suite.Draw(one);
+  if (run.err.find("no rsvg-convert") != std::string::npos) GTEST_SKIP() << run.err;
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::string pdf = test::ReadFile(suite.out() / "error-reduction.pdf");
+  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+  suite.Draw(one);
+  EXPECT_TRUE(test::ReadFile(suite.out() / "error-reduction.pdf") == pdf);
 }
 
 }  // namespace

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace cvo::test {
@@ -31,5 +34,15 @@ void ExpectError(const ProcessResult& result, const std::string& text, int exit_
 
 // Returns the number of line breaks in a text.
 std::size_t LineCount(const std::string& text);
+
+// Waits up to ten seconds for a condition that other processes bring about. Returns whether it
+// became true.
+inline bool WaitUntil(const std::function<bool()>& condition) {
+  for (int i = 0; i < 1000; ++i) {
+    if (condition()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return condition();
+}
 
 }  // namespace cvo::test

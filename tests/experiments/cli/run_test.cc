@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `clustervo run` as a process, on images drawn by the test.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,7 +9,7 @@
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -19,6 +18,8 @@ using test::ReadFile;
 using test::RunProgram;
 using testing::AllOf;
 using testing::HasSubstr;
+
+// `clustervo run` as a process, on images drawn by the test.
 
 constexpr int kRunFrames = 8;
 const std::vector<std::string> kRecorded = {"result.json", "camera.tum",   "camera.kitti",
@@ -85,15 +86,6 @@ TEST_F(CliRun, SkipsADamagedImageAndListsIt) {
       EXPECT_EQ(metric["value"], 0.875);
     }
   }
-}
-
-TEST_F(CliRun, StrictFailsOnADamagedImageAndWritesNothing) {
-  test::CutFile(tiny() / "image_1" / "000004.png");
-  const ProcessResult run = Run(out(), {"--strict", "--quiet"});
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("clustervo: error: "), HasSubstr("image_1/000004.png")));
-  EXPECT_EQ(test::LineCount(run.err), 1U);
-  EXPECT_FALSE(fs::exists(out()));
 }
 
 // Only the same run replaces the content of a folder, unless --force is given.
@@ -287,4 +279,4 @@ TEST_F(CliRun, AnInterruptEndsTheRunCleanly) {
 }
 
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::run_test

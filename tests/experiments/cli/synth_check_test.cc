@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `clustervo synth list`, `generate` and `check`, which need no renderer.
+// `clustervo synth list` and `check`, which need no renderer.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,35 +21,32 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(CliSynth, ListsTheShippedScenes) {
-  const ProcessResult list = RunProgram({"synth", "list"});
+  const ProcessResult list = RunProgram({"list", "scenes"});
   EXPECT_EQ(list.exit_code, 0) << list.err;
   EXPECT_THAT(list.out, AllOf(HasSubstr("movers"), HasSubstr("tiny"), HasSubstr("640x480")));
 }
 
-TEST(CliSynth, GeneratesTheSceneOfASeed) {
+TEST(CliSynth, ListsTheKnobsOfAFamily) {
+  EXPECT_THAT(RunProgram({"list", "scenes", "room"}).out, HasSubstr("speed_mps"));
+  const ProcessResult wrong = RunProgram({"list", "scenes", "rom"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("did you mean room?"));
+}
+
+TEST(CliSynth, RefusesWrongSeedsAndKnobs) {
   const test::TempFolder folder;
-  const auto file = [&](const char* name) { return (folder.path() / name).string(); };
-  const auto generate = [&](const std::string& seed, const std::string& set, const char* name) {
-    return RunProgram(
-        {"synth", "generate", "room", "--seed", seed, "--set", set, "-o", file(name)});
+  const auto render = [&](const std::string& scene) {
+    return RunProgram({"synth", "render", scene, "-o", (folder.path() / "set").string()});
   };
-  const ProcessResult once = generate("17", "movers=2", "a.json");
-  EXPECT_EQ(once.exit_code, 0) << once.err;
-  EXPECT_EQ(generate("17", "movers=2", "b.json").exit_code, 0);
-  EXPECT_EQ(ReadFileBytes(file("a.json")), ReadFileBytes(file("b.json")));
   for (const char* seed : {"-1", "4294967296", "x"}) {
-    const ProcessResult wrong = generate(seed, "movers=2", "c.json");
+    const ProcessResult wrong = render(std::string("room@") + seed);
     EXPECT_EQ(wrong.exit_code, 2) << seed;
     EXPECT_THAT(wrong.err, HasSubstr("an integer from 0 to 4294967295"));
   }
-  const ProcessResult wrong = generate("17", "mover=2", "c.json");
+  const ProcessResult wrong = render("room@17,mover=2");
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("no knob \"mover\""));
-  EXPECT_FALSE(fs::exists(file("c.json")));
-  const ProcessResult none = RunProgram({"synth", "generate", "room", "--seed", "17"});
-  EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.err, HasSubstr("--seed and --output are required"));
-  EXPECT_THAT(RunProgram({"synth", "generate", "room", "--knobs"}).out, HasSubstr("speed_mps"));
+  EXPECT_FALSE(fs::exists(folder.path() / "set"));
 }
 
 TEST(CliSynth, AMisspeltCommandIsWrongUsage) {

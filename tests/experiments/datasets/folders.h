@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {

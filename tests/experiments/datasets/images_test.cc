@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/datasets/images.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/files/sha256.h"
-#include "experiments/datasets/formats/png.h"
-#include "experiments/datasets/load_image.h"
+#include "experiments/datasets/formats/image_format.h"
 #include "tests/experiments/datasets/folders.h"
 
 namespace cvo {
@@ -119,14 +120,11 @@ TEST_F(LoadGreyTest, MissingFileIsAProblemNotAnError) {
   EXPECT_FALSE(LoadGrey(folder_.path()).ok());
 }
 
-TEST(PngHeader, ReadsSizeAndColour) {
+TEST(ReadImageSize, ReadsThatOfPngFiles) {
   const test::TempFolder folder;
-  const PngHeader grey = ReadPngHeader(folder.Write("a.png", GreyPng(1242, 375)));
-  EXPECT_EQ(grey.width_px, 1242);
-  EXPECT_EQ(grey.height_px, 375);
-  EXPECT_TRUE(grey.grey);
-  const auto colour = folder.Write("b.png", EncodePng(cv::Mat(3, 5, CV_8UC3, cv::Scalar(1, 2, 3))));
-  EXPECT_FALSE(ReadPngHeader(colour).grey);
+  EXPECT_EQ(ReadImageSize(folder.Write("a.png", GreyPng(1242, 375))), cv::Size(1242, 375));
+  const cv::Mat colour(3, 5, CV_8UC3, cv::Scalar(1, 2, 3));
+  EXPECT_EQ(ReadImageSize(folder.Write("b.png", EncodePng(colour))), cv::Size(5, 3));
 }
 
 }  // namespace

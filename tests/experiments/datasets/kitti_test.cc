@@ -13,9 +13,9 @@
 
 #include "core/base/error.h"
 #include "experiments/calibration/kitti_calibration.h"
+#include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/object_boxes.h"
-#include "experiments/datasets/formats/oxts.h"
-#include "experiments/datasets/load_image.h"
+#include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "tests/support/real_data.h"

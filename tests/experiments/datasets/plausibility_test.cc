@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/plausibility.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/datasets/sequence.h"
 #include "tests/experiments/metrics/objects/object_world.h"
 
 namespace cvo {

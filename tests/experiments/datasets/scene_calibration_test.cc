@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/scene_calibration.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/datasets/body_truth.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 

@@ -6,13 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/files/images/image_codec.h"
+#include "core/files/images/image_file.h"
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/load_image.h"
+#include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/import/image_names.h"
-#include "experiments/import/import_cache.h"
+#include "experiments/import/stereo_source.h"
 #include "tests/support/error_message.h"
 #include "tests/support/image_file.h"
 #include "tests/support/temp_folder.h"

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/jobs/engine.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -10,19 +12,21 @@
 #include <csignal>
 #include <fstream>
 #include <map>
+#include <optional>
 
 #include "core/base/error.h"
-#include "experiments/jobs/child_process.h"
-#include "experiments/jobs/local_engine.h"
-#include "tests/experiments/jobs/wait_until.h"
+#include "experiments/jobs/job_status.h"
+#include "tests/experiments/cli/process.h"
+#include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::engine_test {
 namespace {
 
 namespace fs = std::filesystem;
 using test::ReadFile;
 using test::WaitUntil;
+using testing::AllOf;
 using testing::HasSubstr;
 
 double Seconds(const std::function<void()>& work) {
@@ -123,15 +127,6 @@ TEST_F(LocalEngineTest, StartsTasksInOrderUpToTheProcessLimit) {
   EXPECT_EQ(ReadFile(folder_.path() / "order"), "1\n2\n3\n4\n");
 }
 
-TEST_F(LocalEngineTest, NeverExceedsTheProcessLimit) {
-  const std::string alone =
-      StrCat("mkdir ", folder_.path().string(), "/mine && sleep 0.05 && rmdir ",
-             folder_.path().string(), "/mine");
-  for (const auto& [task, end] : Run({Shell("a", alone), Shell("b", alone), Shell("c", alone)})) {
-    EXPECT_TRUE(end.ok) << task;
-  }
-}
-
 TEST_F(LocalEngineTest, StopEndsRunningTasksAndStartsNoMore) {
   const Task slow =
       Shell("slow", StrCat("echo $$ > ", folder_.path().string(), "/pid; exec sleep 60"));
@@ -188,5 +183,45 @@ TEST_F(LocalEngineTest, NoProcessOutlivesAKilledEngine) {
   EXPECT_TRUE(WaitUntil([&] { return !IsAlive(ReadPid("pid")); }));
 }
 
+TEST(FolderLock, AdmitsOneProcessAndNamesIt) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "lock";
+  std::optional<FolderLock> lock(file);
+  EXPECT_THAT(ErrorMessage([&] { const FolderLock second(file); }),
+              AllOf(HasSubstr(folder.path().string() + ": found in use by process "),
+                    HasSubstr(std::to_string(::getpid()) + " on ")));
+  lock.reset();
+  EXPECT_EQ(ErrorMessage([&] { const FolderLock second(file); }), "");
+}
+
+TEST(FolderLock, IsReleasedWhenItsProcessIsKilled) {
+  const test::TempFolder folder;
+  const auto file = folder.path() / "lock";
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t holder = ::fork();
+  if (holder == 0) {
+    const FolderLock lock(file);
+    if (::write(ready[1], "x", 1) == 1) ::pause();
+    ::_exit(0);
+  }
+  // Wait until the child holds the lock: an earlier attempt would take it for a moment, and the
+  // child would be refused.
+  ::close(ready[1]);
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  ::close(ready[0]);
+  EXPECT_THAT(ErrorMessage([&] { const FolderLock lock(file); }),
+              HasSubstr(StrCat("process ", holder, " on ")));
+  ::kill(holder, SIGKILL);
+  ::waitpid(holder, nullptr, 0);
+  EXPECT_EQ(ErrorMessage([&] { const FolderLock lock(file); }), "");
+}
+
+TEST(FolderLock, ReportsWhyItCannotBeTaken) {
+  EXPECT_THAT(ErrorMessage([] { const FolderLock lock("/proc/none/lock"); }),
+              HasSubstr("/proc/none/lock: cannot write: "));
+}
+
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::engine_test

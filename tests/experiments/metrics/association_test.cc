@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/association.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/metrics/alignment.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::association_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/geometry/stereo_camera.h"
-#include "experiments/metrics/calibration_metrics.h"
+#include "experiments/metrics/camera_metrics.h"
 
 namespace cvo::calibration_metrics_test {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/base/rng.h"
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/kitti_drift.h"
+#include "experiments/metrics/pose_errors.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::camera_test {

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/kitti_drift.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "core/base/error.h"
+#include "experiments/metrics/pose_errors.h"
 
 namespace cvo::kitti_drift_test {
 namespace {

@@ -7,7 +7,6 @@ Usage: package_test.py README.md
 
 import csv
 import re
-import shutil
 import sys
 import tempfile
 import unittest
@@ -92,18 +91,6 @@ class Readers(unittest.TestCase):
             (Path(folder) / "result.json").write_text('{"schema_version": 99, "kind": "run"}')
             with self.assertRaisesRegex(ValueError, "found schema_version 99, expected"):
                 clustervo.load(folder)
-
-    def test_the_previous_schema_version_is_read_with_a_warning(self):
-        with tempfile.TemporaryDirectory() as folder:
-            shutil.copytree("run", folder, dirs_exist_ok=True)
-            result = Path(folder) / "result.json"
-            text = result.read_text(encoding="utf-8")
-            result.write_text(text.replace('"schema_version":3', '"schema_version":2', 1)
-                              .replace('"schema_version": 3', '"schema_version": 2', 1),
-                              encoding="utf-8")
-            with self.assertWarnsRegex(UserWarning, "schema_version 2"):
-                old = clustervo.load(folder)
-        self.assertEqual(old.metrics, clustervo.load("run").metrics)
 
 
 class BadInput(unittest.TestCase):

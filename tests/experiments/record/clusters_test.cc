@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tests the tables of clusters and landmarks on hand-made results.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,19 +8,22 @@
 #include <sstream>
 
 #include "core/base/error.h"
-#include "experiments/log/cluster_rows.h"
+#include "core/files/json/json.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/landmark_table.h"
 #include "experiments/record/result_file.h"
-#include "tests/support/cluster_poses.h"
+#include "experiments/record/run_result.h"
+#include "experiments/record/truth_file.h"
 #include "tests/support/collected.h"
+#include "tests/support/estimator_inputs.h"
 
-namespace cvo {
+namespace cvo::clusters_test {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::SizeIs;
+
+// Tests the tables of clusters and landmarks on hand-made results.
 
 RigidTransform At(double x, double y, double z) {
   return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z)};
@@ -214,21 +216,6 @@ TEST_F(Clusters, FramesBeforeConfirmationHaveOnlyARefinedPose) {
   EXPECT_EQ(Track()[0], "4");
 }
 
-TEST_F(Clusters, TrajectoriesHoldOnlyTrackedFrames) {
-  ClusterTrajectory cluster = Refined(0, At(1, 2, 3));
-  cluster.poses.push_back(test::PoseInFrame(1, 2, ClusterStatus::kPredicted, At(4, 5, 6)));
-  std::string text;
-  ForEachClusterTum(PoseLog({cluster}), [&text](ClusterId, const std::string& tum) { text = tum; });
-  EXPECT_THAT(text, HasSubstr("1 2 3 0 0 0 1"));
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
-}
-
-TEST_F(Clusters, RefuseNan) {
-  cluster().score = std::nan("");
-  EXPECT_THROW(ObjectTable(), Error);
-  EXPECT_THROW(KittiTracks(), Error);
-}
-
 TEST_F(Clusters, TheResultFileListsClusters) {
   frames_.push_back(frames_[0]);
   frames_[1].frame = 5;
@@ -266,5 +253,44 @@ TEST(LandmarkRows, HaveTheFeatureTheLabelsAndTheTruth) {
   EXPECT_EQ(Cells(std::string(kLandmarksHeader), ',')[0].size(), 19U);
 }
 
+RigidTransform At(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }
+
+// The origin of the run's world is at x = 1 m in the world of the truth; body 2 is scored in frame
+// 1 only.
+TEST(TruthFile, PutsTheTruthIntoTheWorldOfTheRun) {
+  ObjectTruth objects;
+  objects.timestamps_ns = {0, 1};
+  TruthBody body;
+  body.id = 2;
+  body.diagonal_m = 0.5;
+  body.frames = {std::nullopt, BodyFrame{At(5), true}};
+  objects.bodies = {body};
+  BodyScore score;
+  score.id = 2;
+  score.name = "ball";
+  score.cluster = 7;
+  score.errors = {{1}, {0.25}};
+  score.estimated_positions = {{5.25, 0, 0}};
+  const std::vector<BodyScore> bodies = {score};
+  const OptionalPoses camera = {At(1), std::nullopt};
+  const Json file = ParseJson(TruthFile("id", {&camera, &objects, At(1), &bodies}), "truth.json");
+  EXPECT_EQ(file["job"], "id");
+  EXPECT_EQ(file["camera"][0], Json({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}));
+  EXPECT_TRUE(file["camera"][1].is_null());
+  const Json& ball = file["bodies"][0];
+  EXPECT_EQ(ball["cluster"], 7);
+  EXPECT_EQ(ball["truth"]["frames"], Json({1}));
+  EXPECT_EQ(ball["truth"]["poses"][0][0], 4.0);
+  EXPECT_EQ(ball["truth"]["visible"], Json({true}));
+  EXPECT_EQ(ball["estimated"]["positions_m"], Json::parse("[[4.25, 0.0, 0.0]]"));
+  EXPECT_EQ(ball["predicted"]["frames"], Json::array());
+}
+
+TEST(TruthFile, ReportsMissingTruth) {
+  const Json file = ParseJson(TruthFile("id", {}), "truth.json");
+  EXPECT_TRUE(file["camera"].empty());
+  EXPECT_TRUE(file["bodies"].empty());
+}
+
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::clusters_test

@@ -6,16 +6,100 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "experiments/metrics/metric.h"
+#include "experiments/metrics/pose_errors.h"
+#include "experiments/record/build_identity.h"
+#include "experiments/record/job_identity.h"
 #include "experiments/record/result_file.h"
 #include "experiments/record/timing_file.h"
 #include "tests/support/collected.h"
 
-namespace cvo {
+namespace cvo::result_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
+
+const std::string kDifferentText = "another";
+
+BuildIdentity SomeBuild() {
+  BuildIdentity build = ThisBuild();
+  build.cpu_level = "avx2";
+  return build;
+}
+
+Job SomeJob() {
+  return {"build",        "static", {{"window", {{"spatial", 5}}}}, "content", "detections",
+          Json::object(), 0};
+}
+
+TEST(BuildIdentity, IsComplete) {
+  const BuildIdentity build = ThisBuild();
+  EXPECT_THAT(build.estimator_sources, MatchesRegex("[0-9a-f]{64}"));
+  EXPECT_THAT(build.evaluation_sources, MatchesRegex("[0-9a-f]{64}"));
+  EXPECT_NE(build.estimator_sources, build.evaluation_sources);
+  for (const std::string& field : {build.version, build.compiler, build.build_type, build.flags,
+                                   build.libraries.opencv, build.libraries.eigen, build.commit}) {
+    EXPECT_FALSE(field.empty());
+  }
+}
+
+TEST(BuildIdentity, IgnoresTheCommit) {
+  BuildIdentity build = SomeBuild();
+  const std::string hash = IdentityOf(build);
+  build.commit = kDifferentText;
+  EXPECT_EQ(IdentityOf(build), hash);
+  build.flags += " -O0";
+  EXPECT_NE(IdentityOf(build), hash);
+}
+
+TEST(BuildIdentity, DependsOnTheProcessorLevel) {
+  BuildIdentity build = SomeBuild();
+  const std::string hash = IdentityOf(build);
+  build.cpu_level = "plain x86-64";
+  EXPECT_NE(IdentityOf(build), hash);
+}
+
+TEST(JobIdentity, IsStable) {
+  // A change here orphans every recorded result: raise the schema version with it.
+  EXPECT_EQ(JobIdentity(SomeJob()),
+            "008286c28f35a451d8bde869aa12d17c46b5377dde9bfde844ee073fe632d195");
+}
+
+TEST(JobIdentity, DependsOnEveryPart) {
+  const std::string identity = JobIdentity(SomeJob());
+  EXPECT_EQ(JobIdentity(SomeJob()), identity);
+  for (const auto& change :
+       std::vector<void (*)(Job&)>{[](Job& job) { job.build = kDifferentText; },
+                                   [](Job& job) { job.variant = kDifferentText; },
+                                   [](Job& job) { job.options["window"]["spatial"] = 6; },
+                                   [](Job& job) { job.content = kDifferentText; },
+                                   [](Job& job) { job.detections = kDifferentText; },
+                                   [](Job& job) { job.given["oracle"] = kDifferentText; },
+                                   [](Job& job) { job.seed = 1; }}) {
+    Job job = SomeJob();
+    change(job);
+    EXPECT_NE(JobIdentity(job), identity);
+  }
+}
+
+TEST(DetectionsHash, DependsOnWhatTheEstimatorIsGiven) {
+  Sequence sequence;
+  const std::string none = DetectionsHash(sequence);
+  ObjectBox box;
+  box.type = "Car";
+  box.score = 0.5;
+  sequence.detections = {box};
+  const std::string one = DetectionsHash(sequence);
+  EXPECT_NE(one, none);
+  sequence.detections[0].track = 7;  // never shown to the estimator
+  EXPECT_EQ(DetectionsHash(sequence), one);
+  sequence.detections[0].left_px = 1.0;
+  EXPECT_NE(DetectionsHash(sequence), one);
+  sequence.detections[0].left_px = 0.0;
+  sequence.detections_offset_m = 0.06;
+  EXPECT_NE(DetectionsHash(sequence), one);
+}
 
 // Frames 4 to 7 of a folder, with the statuses first, tracked, skipped and lost.
 class Result : public testing::Test {
@@ -137,11 +221,6 @@ TEST_F(Result, RefusesNanAndNamesTheField) {
   }
 }
 
-TEST_F(Result, RefusesNonFiniteMetrics) {
-  const Metric metric = MakeMetric({reports::MetricId::kCameraAte}, std::nan(""), 3);
-  EXPECT_THROW(File({metric}), Error);
-}
-
 TEST_F(Result, MetricsCarryTheirContract) {
   std::vector<Metric> metrics = {MakeMetric({reports::MetricId::kCameraAte}, 0.5, 3)};
   metrics[0].contract.truth = reports::TruthSource::kDevkit;
@@ -170,9 +249,5 @@ TEST_F(Result, TimingHasQuantilesAndContext) {
   EXPECT_EQ(json["frames"].size(), 4U);
 }
 
-TEST(Timing, OfNoFrames) {
-  EXPECT_NO_THROW(test::Collected(WriteTimingFile, RunResult{}, ThisProcess()));
-}
-
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::result_test

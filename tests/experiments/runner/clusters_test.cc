@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tests how detections reach an estimator and its clusters leave it, with a fake that makes a
-// cluster of each box.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,17 +11,19 @@
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_run.h"
 #include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/support/cluster_poses.h"
+#include "tests/support/estimator_inputs.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::clusters_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
+
+// Tests how detections reach an estimator and its clusters leave it, with a fake that makes a
+// cluster of each box.
 
 constexpr int kFrames = 4;
 
@@ -126,7 +126,7 @@ TEST_F(RunnerClusters, DetectionsReachTheirFrames) {
   EXPECT_EQ(run.frames[1].report.clusters[1].detection, 1);
   EXPECT_EQ(run.detections.given, 4);
   EXPECT_EQ(run.detections.other_classes.at("Cyclist"), 1);
-  EXPECT_THAT(run.clusters.clusters(), SizeIs(2));
+  EXPECT_THAT(run.clusters, SizeIs(2));
 }
 
 TEST_F(RunnerClusters, LandmarksAreHandedOverFrameByFrame) {
@@ -136,21 +136,6 @@ TEST_F(RunnerClusters, LandmarksAreHandedOverFrameByFrame) {
   EXPECT_THAT(run.frames[0].report.landmarks, IsEmpty());
   ASSERT_THAT(rows, SizeIs(kFrames));
   EXPECT_THAT(rows[3], StartsWith("3,0,"));
-}
-
-TEST_F(RunnerClusters, AStoppedRunLeavesNoLandmarks) {
-  RunRequest request = Request();
-  request.landmarks = true;
-  request.stop = [] { return true; };
-  EXPECT_FALSE(RunJob(request, Out()).has_value());
-  EXPECT_TRUE(fs::is_empty(Out()));
-}
-
-TEST_F(RunnerClusters, BoxesOfASkippedFrameAreCounted) {
-  test::CutFile(sequence_.images[1].left);
-  const RunResult run = RunSequence(Request()).value();
-  EXPECT_EQ(run.detections.skipped, 3);
-  EXPECT_THAT(run.frames[1].detections, IsEmpty());
 }
 
 TEST_F(RunnerClusters, FilesOfAnEarlierRunAreRemoved) {
@@ -271,7 +256,7 @@ TEST(ObjectEstimateOf, FramesBeforeConfirmationHaveOnlyRefinedPoses) {
   }
   RunResult run;
   run.frames = frames;
-  run.clusters = PoseLog({trajectory});
+  run.clusters = {trajectory};
   const auto causal = ObjectEstimateOf(run, PoseTime::kCausal).clusters.at(0).frames;
   ASSERT_THAT(causal, SizeIs(1));
   EXPECT_EQ(causal[0].frame, 1);

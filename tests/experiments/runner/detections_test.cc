@@ -1,19 +1,27 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tests how boxes of a file become detections for the estimator.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
+#include "core/base/task_pool.h"
 #include "experiments/runner/frame_detections.h"
+#include "experiments/runner/look_ahead.h"
+#include "experiments/runner/oracle.h"
+#include "tests/support/real_data.h"
 
 namespace cvo::detections_test {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
 using testing::SizeIs;
+
+// Tests how boxes of a file become detections for the estimator.
 
 // 100 x 80 px, f = 100 px, baseline 0.5 m: depth 50 m / disparity.
 BoxCamera Camera(double offset_m = 0.0) { return {{100, 100, 50, 40, 0.5, 100, 80}, offset_m}; }
@@ -86,12 +94,6 @@ TEST(Detections, KeepTheirScoreAndLabelsScoreOne) {
   EXPECT_EQ(detections[1].score, 1.0);
 }
 
-TEST(Detections, MayBeNoneOrFiveHundred) {
-  DetectionCounts counts;
-  EXPECT_THAT(Given({}, counts), IsEmpty());
-  EXPECT_THAT(Given(std::vector<ObjectBox>(500, Box(1, 1, 20, 20)), counts), SizeIs(500));
-}
-
 TEST(Detections, MoveByTheDisparityOfTheirFeatures) {
   // Boxes are drawn for a camera 0.1 m to the right of the one read, which sees a point at 5 m 2 px
   // further left: p_in_drawn = p_in_read + (offset_m, 0, 0).
@@ -106,22 +108,6 @@ TEST(Detections, MoveByTheDisparityOfTheirFeatures) {
   EXPECT_NEAR(detections[0].box.left_px, 32.0, 1e-9);
   EXPECT_NEAR(detections[0].box.right_px, 38.0, 1e-9);
   EXPECT_EQ(counts.without_depth, 0);
-}
-
-TEST(Detections, EdgesAtTheBorderStayThere) {
-  const BoxCamera camera = Camera(-0.1);
-  std::vector<StereoFeature> features;
-  for (const int u : {2, 92}) {
-    for (int i = 0; i < 6; ++i) features.push_back(FeatureAt(u + i, 30, 5.0));
-  }
-  DetectionCounts counts;
-  const auto detections = DetectionsOfFrame({Box(0, 20, 6, 40), Box(88, 20, 99, 40)}, camera,
-                                            features, RigidClasses(), counts);
-  ASSERT_THAT(detections, SizeIs(2));
-  EXPECT_EQ(detections[0].box.left_px, 0.0);
-  EXPECT_NEAR(detections[0].box.right_px, 8.0, 1e-9);
-  EXPECT_NEAR(detections[1].box.left_px, 90.0, 1e-9);
-  EXPECT_EQ(detections[1].box.right_px, 99.0);
 }
 
 TEST(Detections, WithoutFeaturesStayWhereTheyWereDrawn) {
@@ -152,6 +138,156 @@ TEST(DepthInBox, LooksUpFeaturesInTheImageOfTheBox) {
   for (int i = 0; i < 5; ++i) features.push_back(FeatureAt(30 + i, 30, 2.5));
   EXPECT_EQ(DepthInBox(Box(29, 29, 35, 31), Camera(0.5), features), 0.0);
   EXPECT_NEAR(DepthInBox(Box(49, 29, 55, 31), Camera(0.5), features), 2.5, 1e-9);
+}
+
+// Tests that boxes drawn in image_02 of a real drive move to image_00 by the depth of their
+// features.
+
+// Both moving cars of drive_0013 are seen from behind: the visible face is half a length nearer
+// than the centre of the labelled box.
+TEST(KittiDetections, MoveByTheDepthOfTheNearFace) {
+  const auto data = test::RealData();
+  if (!data) GTEST_SKIP() << "CLUSTERVO_DATA does not name a folder with KITTI data";
+  const auto labels = *data / "kitti_tracking/training/label_02/0003.txt";
+  const Sequence sequence =
+      OpenSequence({.folder = *data / "kitti_raw/2011_09_26/2011_09_26_drive_0013_sync",
+                    .begin_frame = 42,
+                    .end_frame = 48,
+                    .detections_file = labels,
+                    .detections_camera = 2});
+  const BoxCamera camera = {sequence.camera, sequence.detections_offset_m};
+  TaskPool pool(2);
+  const Options options;
+  LookAhead look_ahead(sequence, options, pool);
+  int moved = 0;
+  for (const std::vector<ObjectBox>& boxes : DetectionsByFrame(sequence)) {
+    const PreparedFrame prepared = look_ahead.Next();
+    for (const ObjectBox& drawn : boxes) {
+      if (drawn.type != "Car" || drawn.occlusion > 0) continue;
+      DetectionCounts counts;
+      const auto given =
+          DetectionsOfFrame({drawn}, camera, prepared.frame.features, RigidClasses(), counts);
+      ASSERT_EQ(given.size(), 1U);
+      const double face_m = drawn.box3d->bottom_in_camera.z() - 0.5 * drawn.box3d->length_m;
+      const double shift_px = -camera.left.fx * camera.offset_m / face_m;
+      EXPECT_NEAR(given[0].box.right_px, drawn.right_px + shift_px, 0.6) << drawn.frame;
+      EXPECT_GT(std::abs(shift_px), 1.0);
+      ++moved;
+    }
+  }
+  EXPECT_GE(moved, 6);
+}
+
+RigidTransform At(double x) {
+  return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0.0, 0.0)};
+}
+
+// A truth with body 4, which is that of track 3 and of pixels with u above 50.
+class FakeTruth : public BodyTruthReader {
+ public:
+  const ObjectTruth& objects() const override { return truth_; }
+  int BodyOfTrack(int track) const override { return track == 3 ? 4 : -1; }
+  LandmarkTruth Find(int, const Eigen::Vector2d& left_px, const Eigen::Vector3d&) override {
+    return {static_cast<std::int16_t>(left_px.x() > 50 ? 4 : 0), PointMotion::kStill};
+  }
+
+ private:
+  ObjectTruth truth_;
+};
+
+Sequence TwoFrames() {
+  Sequence sequence;
+  sequence.first_frame = 7;
+  sequence.images.resize(2);
+  sequence.camera = {100, 100, 50, 40, 0.5, 100, 80};
+  sequence.groundtruth_world_from_camera = {At(1.0), At(3.0)};
+  ObjectBox label;
+  label.frame = 8;
+  label.track = 3;
+  label.type = "Car";
+  label.left_px = 10;
+  label.top_px = 10;
+  label.right_px = 30;
+  label.bottom_px = 30;
+  sequence.labels = {label};
+  label.track = -1;
+  sequence.labels.push_back(label);
+  return sequence;
+}
+
+StereoFrame FrameWithABox() {
+  StereoFrame frame;
+  frame.detections = {{{11, 10, 31, 30}, "Car", 1.0}};
+  frame.features.resize(2);
+  frame.features[0].z_px = {20, 20, 10};
+  frame.features[1].z_px = {60, 20, 50};
+  return frame;
+}
+
+std::string Problem(const Sequence& sequence, const OracleSwitches& switches) {
+  try {
+    const Oracle oracle(sequence, switches, nullptr);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Oracle, ParsesTheNamesOfItsSwitches) {
+  EXPECT_THAT(ParseOracle("camera,boxes").Names(), ElementsAre("boxes", "camera"));
+  EXPECT_FALSE(ParseOracle("none").any());
+  for (const char* bad : {"", "boxes,", "box", "none,boxes", "boxes, camera"}) {
+    EXPECT_THROW(ParseOracle(bad), Error) << bad;
+  }
+}
+
+TEST(Oracle, GivesOnlyWhatIsRequested) {
+  FakeTruth truth;
+  const Sequence sequence = TwoFrames();
+  StereoFrame frame = FrameWithABox();
+  const auto feature_truth = TruthOfFeatures(1, frame.features, sequence.camera, truth);
+  Oracle(sequence, {}, &truth).Give(1, feature_truth, frame);
+  EXPECT_FALSE(frame.given.world_from_camera.has_value());
+  EXPECT_THAT(frame.given.feature_body, IsEmpty());
+  EXPECT_THAT(frame.given.detection_body, IsEmpty());
+
+  Oracle(sequence, {.boxes = true}, &truth).Give(1, {}, frame);
+  EXPECT_THAT(frame.given.detection_body, ElementsAre(BodyId{4}));
+  EXPECT_THAT(frame.given.feature_body, IsEmpty());
+
+  Oracle(sequence, {.labels = true}, &truth).Give(1, feature_truth, frame);
+  EXPECT_THAT(frame.given.feature_body, ElementsAre(kStaticBody, BodyId{4}));
+  EXPECT_FALSE(frame.given.world_from_camera.has_value());
+
+  Oracle(sequence, {.camera = true}, nullptr).Give(1, {}, frame);
+  EXPECT_EQ(frame.given.world_from_camera->translation().x(), 2.0);
+}
+
+TEST(Oracle, ABoxInAFrameWithoutTruthHasNoBody) {
+  FakeTruth truth;
+  StereoFrame frame = FrameWithABox();
+  Oracle(TwoFrames(), {.boxes = true}, &truth).Give(0, {}, frame);
+  EXPECT_THAT(frame.given.detection_body, ElementsAre(BodyId()));
+}
+
+TEST(Oracle, IsRefusedWithoutTruth) {
+  Sequence sequence = TwoFrames();
+  EXPECT_THAT(Problem(sequence, {.boxes = true}), HasSubstr("--oracle: found \"boxes\""));
+  EXPECT_THAT(Problem(sequence, {.labels = true}), HasSubstr("--oracle: found \"labels\""));
+  EXPECT_EQ(Problem(sequence, {.camera = true}), "");
+  sequence.groundtruth_world_from_camera.front().reset();
+  EXPECT_THAT(Problem(sequence, {.camera = true}), HasSubstr("--oracle: found \"camera\""));
+}
+
+TEST(BodiesOfDetections, AreOneToOneWithAtLeastHalfOverlap) {
+  const std::vector<Detection> detections = {
+      {{0, 0, 10, 10}, "Car", 1.0}, {{1, 0, 11, 10}, "Car", 1.0}, {{40, 0, 50, 10}, "Car", 1.0}};
+  // The first two detections overlap body 7 only, and the second one more. The third has an IoU of
+  // 1/3 with body 9.
+  EXPECT_THAT(BodiesOfDetections(detections, {{7, {2, 0, 12, 10}}, {9, {45, 0, 55, 10}}}),
+              ElementsAre(BodyId(), BodyId{7}, BodyId()));
+  EXPECT_THAT(BodiesOfDetections(detections, {}), ElementsAre(BodyId(), BodyId(), BodyId()));
+  EXPECT_THAT(BodiesOfDetections({}, {{7, {2, 0, 12, 10}}}), IsEmpty());
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/features/front_end.h"
 #include "experiments/cache/content_hash.h"
-#include "experiments/datasets/load_image.h"
+#include "experiments/datasets/images.h"
 #include "experiments/record/result_file.h"
 #include "experiments/runner/look_ahead.h"
 #include "experiments/runner/run_sequence.h"
@@ -205,13 +205,6 @@ TEST_F(Runner, SkipsAFrameThatCannotBeDecodedAndReportsWhy) {
   }
 }
 
-TEST_F(Runner, SkipsAnImageOfAnotherSize) {
-  sequence_.camera.width_px += 1;
-  const RunResult run = RunSequence(Request()).value();
-  ASSERT_THAT(run.frames, SizeIs(kFrames));
-  EXPECT_THAT(run.frames[2].problems[0].reason, HasSubstr("256x128"));
-}
-
 TEST_F(Runner, StrictRefusesAFrameThatCannotBeDecoded) {
   test::CutFile(Right(5));
   RunRequest request = Request();
@@ -224,15 +217,6 @@ TEST_F(Runner, StrictRefusesAFrameThatCannotBeDecoded) {
     } catch (const Error& error) {
       EXPECT_THAT(error.what(), AllOf(HasSubstr(Right(5).string()), HasSubstr("expected")));
     }
-  }
-}
-
-TEST_F(Runner, ExtractionErrorsAreThrown) {
-  RunRequest request = Request();
-  request.options.orb.levels = 0;
-  for (const int threads : {1, 2, 4}) {
-    request.threads = threads;
-    EXPECT_THROW((void)RunSequence(request), Error);
   }
 }
 
@@ -266,22 +250,6 @@ TEST_F(Runner, StopsAfterTheCurrentFrame) {
     request.stop = [&frames] { return frames == 3; };
     EXPECT_FALSE(RunSequence(request).has_value());
     EXPECT_EQ(frames, 3U);
-  }
-}
-
-TEST_F(Runner, LooksOnlyAFewFramesAhead) {
-  RunRequest request = Request();
-  request.threads = 4;
-  // Once the first frame is done, images beyond the look-ahead cannot have been read.
-  request.progress = [this](std::size_t done) {
-    if (done != 1) return;
-    for (int i = 1 + static_cast<int>(LookAhead::kFrames); i < kFrames; ++i) {
-      std::filesystem::remove(Left(i));
-    }
-  };
-  const RunResult run = RunSequence(request).value();
-  for (std::size_t i = 0; i < run.frames.size(); ++i) {
-    EXPECT_EQ(run.frames[i].problems.empty(), i <= LookAhead::kFrames) << i;
   }
 }
 

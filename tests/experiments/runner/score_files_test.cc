@@ -2,23 +2,145 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/score_files.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/files/json/json.h"
-#include "tests/experiments/runner/system_drive.h"
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
 
-namespace cvo::score_files_test {
+#include "core/base/error.h"
+#include "core/files/json/json.h"
+#include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/trajectory.h"
+#include "experiments/runner/system_files.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo::test::score_files_test {
 namespace {
 
-using test::kDriveFrames;
-using test::ReportedBox;
-using test::Rows;
-using test::SystemDrive;
-using test::ValueOf;
+using testing::AllOf;
+using testing::HasSubstr;
 
-ReportedBox Moved(ReportedBox said, const Eigen::Vector3d& by) {
-  said.world_from_object = RigidTransform(Eigen::Matrix3d::Identity(), by) * said.world_from_object;
-  return said;
+// A drive behind two cars, and files that another system could have written for it.
+
+constexpr int kDriveFrames = 8;
+constexpr double kLeftOffset_m = 0.06;  // p_in_read = p_in_camera0 + (offset, 0, 0)
+
+RigidTransform DriveCamera(int frame) {
+  return {ExpSo3({0.0, 0.02 * frame, 0.0}), Eigen::Vector3d(0.1 * frame, 0.0, frame)};
+}
+
+// Pose of a car in the world, with its origin at the centre of its box. Both cars advance by 0.9 m
+// per frame; the second one turns.
+RigidTransform CarInWorld(int track, int frame) {
+  const double heading_rad = -1.5 + (track == 1 ? 0.05 * frame : 0.0);
+  return {ExpSo3({0.0, heading_rad, 0.0}),
+          Eigen::Vector3d(track == 0 ? -2.0 : 4.0, 0.8, 12.0 + 3.0 * track + 0.9 * frame)};
+}
+
+// A box as a system reports it.
+struct ReportedBox {
+  int track = 0;
+  RigidTransform world_from_object;
+};
+
+// Returns the reported box in camera 0.
+ObjectBox BoxOf(const ReportedBox& reported, int frame) {
+  const RigidTransform camera_from_object =
+      DriveCamera(frame).Inverse() * reported.world_from_object;
+  const Eigen::Vector3d forward = camera_from_object.rotation() * Eigen::Vector3d::UnitX();
+  ObjectBox box;
+  box.frame = frame;
+  box.track = reported.track;
+  box.type = "Car";
+  box.occlusion = 0;
+  box.right_px = box.bottom_px = 100.0;
+  box.box3d = {1.5, 1.8, 4.0,
+               camera_from_object.translation() + Eigen::Vector3d(-kLeftOffset_m, 0.75, 0.0),
+               std::atan2(-forward.z(), forward.x())};
+  return box;
+}
+
+std::string Row(const ObjectBox& box) {
+  const ObjectBox::Box3d& b = *box.box3d;
+  std::ostringstream row;
+  row.precision(17);
+  row << box.frame << ' ' << box.track << ' ' << box.type << " -1 -1 0 0 0 100 100 " << b.height_m
+      << ' ' << b.width_m << ' ' << b.length_m << ' ' << b.bottom_in_camera.x() << ' '
+      << b.bottom_in_camera.y() << ' ' << b.bottom_in_camera.z() << ' ' << b.heading_rad << " 1\n";
+  return row.str();
+}
+
+// Rows of the boxes in the sequence's labels, or as `report` changes them. A box is omitted if
+// `report` returns no value.
+using ReportBox = std::function<std::optional<ReportedBox>(ReportedBox truth, int frame)>;
+std::string Rows(const ReportBox& report = [](const ReportedBox& truth, int) { return truth; }) {
+  std::string rows;
+  for (int frame = 0; frame < kDriveFrames; ++frame) {
+    for (const int track : {0, 1}) {
+      const auto reported = report({track, CarInWorld(track, frame)}, frame);
+      if (reported) rows += Row(BoxOf(*reported, frame));
+    }
+  }
+  return rows;
+}
+
+class SystemDrive {
+ public:
+  SystemDrive() {
+    sequence_.name = "drive";
+    sequence_.folder = folder_.path();
+    sequence_.groundtruth = "official";
+    sequence_.left_offset_m = kLeftOffset_m;
+    sequence_.total_frames = kDriveFrames;
+    for (int frame = 0; frame < kDriveFrames; ++frame) {
+      sequence_.images.emplace_back();
+      sequence_.timestamps_ns.push_back(100'000'000 * frame);
+      sequence_.groundtruth_world_from_camera.emplace_back(DriveCamera(frame));
+      for (const int track : {0, 1}) {
+        sequence_.labels.push_back(BoxOf({track, CarInWorld(track, frame)}, frame));
+      }
+    }
+  }
+
+  Sequence& sequence() { return sequence_; }
+  const TempFolder& folder() const { return folder_; }
+
+  // The true camera trajectory in another world, with timestamps 7 ms late, for the frames of which
+  // `has` is true.
+  static Trajectory Camera(const std::function<bool(int)>& has = [](int) { return true; }) {
+    Trajectory camera;
+    for (int frame = 0; frame < kDriveFrames; ++frame) {
+      if (has(frame))
+        camera.push_back({100'000'000 * frame + 7'000'000, World() * DriveCamera(frame)});
+    }
+    return camera;
+  }
+  static RigidTransform World() { return {ExpSo3({0.3, -0.2, 0.1}), {5.0, 6.0, 7.0}}; }
+
+  SystemRequest Request(const std::string& camera, const std::string& rows) const {
+    SystemFiles files = {"other", folder_.Write("camera.txt", camera), {}};
+    if (rows != "none") files.objects = folder_.Write("tracks.txt", rows);
+    return {sequence_, "content", files, 0};
+  }
+  SystemOutcome Score(const std::string& rows,
+                      const std::string& camera = FormatTumTrajectory(Camera())) const {
+    return ScoreSystem(Request(camera, rows));
+  }
+
+ private:
+  TempFolder folder_;
+  Sequence sequence_;
+};
+
+double ValueOf(const SystemOutcome& outcome, const std::string& name) {
+  const Metric* metric = FindMetric(outcome.metrics, name);
+  return metric == nullptr ? std::nan("") : metric->value;
 }
 
 TEST(ScoreSystem, AnyObjectFrameAndAnyWorldIsAccepted) {
@@ -40,36 +162,6 @@ TEST(ScoreSystem, AnyObjectFrameAndAnyWorldIsAccepted) {
   EXPECT_EQ(ValueOf(outcome, "object_unmatched_clusters"), 0.0);
 }
 
-// The boxes are off by 0.3 m to alternating sides: the mean offset is no error, the rest is.
-TEST(ScoreSystem, ErrorsAreThoseOfTheBoxes) {
-  const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
-    if (said.track == 0) {
-      said = Moved(said, {frame % 2 == 0 ? 0.3 : -0.3, 0, 0});
-    }
-    return said;
-  }));
-  EXPECT_NEAR(*outcome.bodies[0].ate_m, 0.3, 1e-9);
-  EXPECT_NEAR(*outcome.bodies[1].ate_m, 0.0, 1e-9);
-  EXPECT_NEAR(ValueOf(outcome, "object_ate"), 0.15, 1e-9);
-  EXPECT_NEAR(ValueOf(outcome, "object_trpe_1_frame"), 0.3, 1e-9);
-  EXPECT_EQ(ValueOf(outcome, "object_success_20cm"), 0.5);
-}
-
-TEST(ScoreSystem, VelocityIsThatOfTheBoxes) {
-  const SystemDrive drive;
-  EXPECT_LT(ValueOf(drive.Score(Rows()), "object_velocity"), 1e-9);
-  // The boxes move 0.1 m per frame of 0.1 s too fast.
-  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
-    said = Moved(said, {0.0, 0.0, 0.1 * frame});
-    return said;
-  }));
-  EXPECT_NEAR(*outcome.bodies[0].velocity_m_s, 1.0, 1e-6);
-  // A run scores the velocities that it estimated, which is another contract.
-  EXPECT_EQ(FindMetric(outcome.metrics, "object_velocity")->contract.pairing,
-            reports::Pairing::kVelocitiesOfPositions);
-}
-
 // The correction that our readers know for a calibration does not tell which one the system was
 // given.
 TEST(ScoreSystem, CorrectionIsTheSystemsOwn) {
@@ -86,91 +178,13 @@ TEST(ScoreSystem, CorrectionIsTheSystemsOwn) {
   EXPECT_EQ(correction(0.2), 0.2);
 }
 
-TEST(ScoreSystem, BodiesAreMatchedByPositionNotById) {
-  const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int) {
-    said.track = 1 - said.track;
-    return said;
-  }));
-  EXPECT_EQ(outcome.bodies[0].cluster, 1);
-  EXPECT_EQ(outcome.bodies[1].cluster, 0);
-  EXPECT_LT(ValueOf(outcome, "object_ate"), 1e-9);
-  EXPECT_EQ(ValueOf(outcome, "object_id_switches"), 0.0);
-}
-
-TEST(ScoreSystem, SwappedIdsAreSwitchesAndErrors) {
-  const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
-    if (frame >= 5) said.track = 1 - said.track;
-    return said;
-  }));
-  EXPECT_EQ(outcome.bodies[0].cluster, 0);
-  EXPECT_EQ(outcome.bodies[1].cluster, 1);
-  EXPECT_EQ(ValueOf(outcome, "object_id_switches"), 2.0);
-  EXPECT_EQ(ValueOf(outcome, "object_fragments"), 0.0);
-  EXPECT_GT(ValueOf(outcome, "object_ate"), 1.0);
-}
-
-TEST(ScoreSystem, MissingFramesLowerCoverage) {
-  const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int frame) {
-    const bool missing = said.track == 1 || frame % 4 >= 2;
-    return missing ? std::nullopt : std::optional(said);
-  }));
-  EXPECT_EQ(outcome.bodies[0].estimated_frames, kDriveFrames / 2);
-  EXPECT_EQ(outcome.bodies[1].estimated_frames, 0);
-  EXPECT_EQ(outcome.bodies[1].cluster, -1);
-  EXPECT_EQ(ValueOf(outcome, "object_coverage"), 0.25);
-  EXPECT_EQ(ValueOf(outcome, "object_success_20cm"), 0.25);
-  EXPECT_EQ(ValueOf(outcome, "object_unmatched"), 1.0);
-  EXPECT_EQ(ValueOf(outcome, "object_fragments"), 1.0);
-}
-
-TEST(ScoreSystem, DistantClustersAreNotMatched) {
-  const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows([](ReportedBox said, int) {
-    // The diagonal of the box is 4.64 m.
-    const double off_m = said.track == 0 ? 4.7 : 4.6;
-    said = Moved(said, {0.0, -off_m, 0.0});
-    return said;
-  }));
-  EXPECT_EQ(outcome.bodies[0].cluster, -1);
-  EXPECT_EQ(outcome.bodies[1].cluster, 1);
-  EXPECT_EQ(ValueOf(outcome, "object_unmatched_clusters"), 1.0);
-}
-
-TEST(ScoreSystem, ABoxIsPlacedByItsOwnFramesCamera) {
-  const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(
-      Rows(), FormatTumTrajectory(SystemDrive::Camera([](int frame) { return frame != 3; })));
-  EXPECT_EQ(outcome.frames_without_camera, 1);
-  EXPECT_EQ(outcome.object_frames, 2 * kDriveFrames);
-  EXPECT_EQ(outcome.object_frames_left_out, 2);
-  EXPECT_EQ(ValueOf(outcome, "camera_coverage"), 7.0 / 8.0);
-  EXPECT_EQ(ValueOf(outcome, "object_coverage"), 7.0 / 8.0);
-  EXPECT_LT(ValueOf(outcome, "object_ate"), 1e-9);
-}
-
-TEST(ScoreSystem, WithoutObjectsCoverageIsZero) {
-  const SystemDrive drive;
-  const SystemOutcome outcome =
-      drive.Score("0 -1 DontCare -1 -1 0 0 0 1 1 -1 -1 -1 -1000 -1000 -1000 -10\n");
-  EXPECT_EQ(ValueOf(outcome, "object_coverage"), 0.0);
-  EXPECT_EQ(ValueOf(outcome, "object_unmatched"), 2.0);
-  EXPECT_EQ(FindMetric(outcome.metrics, "object_ate"), nullptr);
-  const SystemOutcome camera = drive.Score("none");
-  EXPECT_EQ(FindMetric(camera.metrics, "object_coverage"), nullptr);
-  EXPECT_LT(ValueOf(camera, "camera_ate"), 1e-9);
-}
-
 TEST(ScoreSystem, AFolderOfTrajectoriesScoresLikeItsBoxes) {
   const SystemDrive drive;
   SystemRequest request = drive.Request(FormatTumTrajectory(SystemDrive::Camera()), "none");
   for (const int track : {0, 1}) {
     Trajectory object;
     for (int frame = 0; frame < kDriveFrames; ++frame) {
-      object.push_back(
-          {100'000'000 * frame, SystemDrive::World() * test::CarInWorld(track, frame)});
+      object.push_back({100'000'000 * frame, SystemDrive::World() * CarInWorld(track, frame)});
     }
     drive.folder().Write(StrCat("objects/", 3 + track, ".tum"), FormatTumTrajectory(object));
   }
@@ -224,5 +238,128 @@ TEST(IdentifySystem, DependsOnWhatDecidesTheResult) {
   EXPECT_NE(IdentifySystem(drive.Request(camera, Rows() + Rows())), job);
 }
 
+std::string KittiCamera(int begin = 0, int end = kDriveFrames) {
+  std::vector<RigidTransform> poses;
+  for (int frame = begin; frame < end; ++frame) {
+    poses.push_back(SystemDrive::World() * DriveCamera(frame));
+  }
+  return FormatKittiPoses(poses);
+}
+
+// Keeps only frames 2 to 5.
+void KeepPart(Sequence& sequence) {
+  sequence.first_frame = 2;
+  const auto keep = [](auto& values) {
+    values.erase(values.begin() + 6, values.end());
+    values.erase(values.begin(), values.begin() + 2);
+  };
+  keep(sequence.images);
+  keep(sequence.timestamps_ns);
+  keep(sequence.groundtruth_world_from_camera);
+  std::erase_if(sequence.labels,
+                [](const ObjectBox& box) { return box.frame < 2 || box.frame > 5; });
+}
+
+TEST(SystemFiles, AKittiCameraHasALinePerFrame) {
+  const SystemDrive drive;
+  const SystemOutcome outcome = drive.Score(Rows(), KittiCamera());
+  EXPECT_LT(ValueOf(outcome, "camera_ate"), 1e-9);
+  EXPECT_LT(ValueOf(outcome, "object_ate"), 1e-9);
+}
+
+TEST(SystemFiles, FramesOutsideTheRangeAreIgnored) {
+  SystemDrive drive;
+  KeepPart(drive.sequence());
+  for (const std::string& camera :
+       {FormatTumTrajectory(SystemDrive::Camera()), KittiCamera(), KittiCamera(2, 6)}) {
+    const SystemOutcome outcome = drive.Score(Rows(), camera);
+    EXPECT_EQ(outcome.object_frames, 8);
+    EXPECT_EQ(ValueOf(outcome, "camera_coverage"), 1.0);
+    EXPECT_EQ(ValueOf(outcome, "object_coverage"), 1.0);
+    EXPECT_LT(ValueOf(outcome, "camera_ate"), 1e-9);
+    EXPECT_LT(ValueOf(outcome, "object_ate"), 1e-9);
+  }
+}
+
+TEST(SystemFiles, RowsMayComeInAnyOrder) {
+  const SystemDrive drive;
+  const auto only = [](int track) {
+    return Rows([track](const ReportedBox& said, int) {
+      return said.track == track ? std::optional(said) : std::nullopt;
+    });
+  };
+  EXPECT_EQ(ValueOf(drive.Score(only(1) + only(0)), "object_coverage"), 1.0);
+}
+
+class BadFiles : public testing::Test {
+ protected:
+  std::string Camera(const std::string& camera) const {
+    return ErrorMessage([&] { drive_.Score("none", camera); });
+  }
+  std::string Objects(const std::string& rows) const {
+    return ErrorMessage([&] { drive_.Score(rows); });
+  }
+  // The rows with the first `from` replaced by `to`.
+  static std::string Changed(const std::string& from, const std::string& to) {
+    std::string rows = Rows();
+    rows.replace(rows.find(from), from.size(), to);
+    return rows;
+  }
+
+  SystemDrive drive_;
+};
+
+TEST_F(BadFiles, Cameras) {
+  const std::string tum = FormatTumTrajectory(SystemDrive::Camera());
+  EXPECT_THAT(Camera(tum + "0.95 0 0 0 0 0 0 1\n"),
+              AllOf(HasSubstr("camera.txt:9: "), HasSubstr("0.95"), HasSubstr("a frame")));
+  EXPECT_THAT(Camera("# of another start\n" + tum + "99 0 0 0 0 0 0 1\n"),
+              HasSubstr("camera.txt:10: "));
+  EXPECT_THAT(Camera("0.1 0 0 0 0 0 0 1\n0.11 0 0 0 0 0 0 1\n"), HasSubstr("camera.txt:2: "));
+  EXPECT_THAT(Camera("0.1 0 0 0 0 0 0 1\n0.0 0 0 0 0 0 0 1\n"), HasSubstr("camera.txt:2: "));
+  EXPECT_THAT(Camera("0.1 0 nan 0 0 0 0 1\n"), HasSubstr("camera.txt:1: "));
+  EXPECT_THAT(Camera("0.1 0 0 0 0 0 0 1\n"), HasSubstr("found 1 poses"));
+  EXPECT_THAT(Camera(""), HasSubstr("no pose"));
+  EXPECT_THAT(Camera(KittiCamera(0, 7)),
+              AllOf(HasSubstr("camera.txt:7: "), HasSubstr("7 poses"), HasSubstr("8, one per")));
+  EXPECT_THAT(ErrorMessage([&] {
+                ReadSystem(drive_.sequence(), {"other", "/no/such/camera", {}});
+              }),
+              HasSubstr("/no/such/camera"));
+}
+
+TEST_F(BadFiles, Objects) {
+  EXPECT_THAT(Objects(""), AllOf(HasSubstr("tracks.txt:1: "), HasSubstr("DontCare")));
+  EXPECT_THAT(Objects(Rows() + Rows()),
+              AllOf(HasSubstr("tracks.txt:17: "), HasSubstr("tracks.txt:1")));
+  EXPECT_THAT(Objects(Changed("3 1 Car", "8 1 Car")),
+              AllOf(HasSubstr("tracks.txt:8: "), HasSubstr("frame 8"), HasSubstr("0 to 7")));
+  EXPECT_THAT(Objects(Changed("3 1 Car", "3 -1 Car")),
+              AllOf(HasSubstr("tracks.txt:8: "), HasSubstr("track -1")));
+  EXPECT_THAT(Objects(Changed(" 1.5 1.8", " -1 1.8")),
+              AllOf(HasSubstr("tracks.txt:1: "), HasSubstr("3D box")));
+  EXPECT_THAT(Objects(Changed(" 1.5 1.8", " inf 1.8")), HasSubstr("tracks.txt:1: "));
+  EXPECT_THAT(Objects("0 1 Car\n"), HasSubstr("tracks.txt:1: "));
+}
+
+TEST_F(BadFiles, FoldersOfObjects) {
+  const auto objects = [&] {
+    const auto camera =
+        drive_.folder().Write("camera.tum", FormatTumTrajectory(SystemDrive::Camera()));
+    return ErrorMessage([&] {
+      ReadSystem(drive_.sequence(), {"other", camera, drive_.folder().path() / "objects"});
+    });
+  };
+  EXPECT_THAT(objects(), HasSubstr("objects"));
+  drive_.folder().Write("objects/readme.txt", "");
+  EXPECT_THAT(objects(), HasSubstr("<id>.tum"));
+  drive_.folder().Write("objects/1.tum", "0.1 0 0 0 0 0 0 1\n9 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(objects(), HasSubstr("1.tum:2: "));
+  drive_.folder().Write("objects/1.tum", "0.1 0 0 0 0 0 0 1\n");
+  EXPECT_EQ(objects(), "");
+  drive_.folder().Write("objects/car.tum", "0.1 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(objects(), HasSubstr("car.tum"));
+}
+
 }  // namespace
-}  // namespace cvo::score_files_test
+}  // namespace cvo::test::score_files_test

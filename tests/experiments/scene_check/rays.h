@@ -46,8 +46,7 @@ class RayScene {
   Eigen::Matrix<double, 12, 1> phases_;
 };
 
-// Writes a whole scene folder as the renderer does: noisy images, ground truth, calibration targets
-// and manifest.
+// Writes a whole scene folder as the renderer does: noisy images, ground truth and manifest.
 void WriteRayScene(const std::filesystem::path& folder);
 
 }  // namespace cvo::test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "experiments/suite/parse_suite.h"
+#include "experiments/suite/suite.h"
 
 namespace cvo::test {
 

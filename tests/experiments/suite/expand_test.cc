@@ -3,20 +3,26 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/suite/cell_input.h"
-#include "experiments/suite/parse_suite.h"
-#include "experiments/suite/suite_grid.h"
+#include "experiments/jobs/job_status.h"
+#include "experiments/metrics/trajectory.h"
+#include "experiments/suite/collection.h"
+#include "experiments/suite/job_input.h"
+#include "experiments/suite/shipped/shipped_suites.h"
+#include "experiments/suite/suite.h"
+#include "synth/family/family.h"
+#include "synth/scene/description.h"
 #include "tests/experiments/suite/examples.h"
 #include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
 
-namespace cvo {
+namespace cvo::expand_test {
 namespace {
 
 using test::Parse;
 using test::SmallSuite;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Pair;
+using testing::StartsWith;
 
 std::vector<Json> Values(const Json& json) { return ParseAxisValues(json, "axis"); }
 
@@ -50,15 +56,6 @@ Suite WithGrid(const Json& grid, bool one_at_a_time) {
   return Parse(json);
 }
 
-TEST(Grid, CombinesAllAxes) {
-  const Suite suite = WithGrid({{"window.spatial", {3, 4}}, {"unary.eta", {0.5, 0.9}}}, false);
-  EXPECT_THAT(GridPoints(suite, suite.sequences[0], "full"),
-              ElementsAre(ElementsAre(Pair("window.spatial", 3), Pair("unary.eta", 0.5)),
-                          ElementsAre(Pair("window.spatial", 3), Pair("unary.eta", 0.9)),
-                          ElementsAre(Pair("window.spatial", 4), Pair("unary.eta", 0.5)),
-                          ElementsAre(Pair("window.spatial", 4), Pair("unary.eta", 0.9))));
-}
-
 TEST(Grid, OneAtATimeHasTheDefaultOnce) {
   const Options defaults;
   const int spatial = defaults.window.spatial;
@@ -66,25 +63,23 @@ TEST(Grid, OneAtATimeHasTheDefaultOnce) {
   const Suite suite =
       WithGrid({{"window.spatial", {spatial, spatial + 1}}, {"unary.eta", {0.5, eta}}}, true);
   EXPECT_THAT(GridPoints(suite, suite.sequences[0], "full"),
-              ElementsAre(ElementsAre(Pair("window.spatial", spatial), Pair("unary.eta", eta)),
-                          ElementsAre(Pair("window.spatial", spatial + 1), Pair("unary.eta", eta)),
-                          ElementsAre(Pair("window.spatial", spatial), Pair("unary.eta", 0.5))));
+              ElementsAre(Json({{"window.spatial", spatial}, {"unary.eta", eta}}),
+                          Json({{"window.spatial", spatial + 1}, {"unary.eta", eta}}),
+                          Json({{"window.spatial", spatial}, {"unary.eta", 0.5}})));
 }
 
 TEST(Grid, AxisDefaultsComeFromTheSuiteAndTheScene) {
   Suite suite = WithGrid({{"window.spatial", {3, 4}}}, true);
   suite.options = {{"window", {{"spatial", 4}}}};
-  EXPECT_THAT(
-      GridPoints(suite, suite.sequences[0], "full"),
-      ElementsAre(ElementsAre(Pair("window.spatial", 4)), ElementsAre(Pair("window.spatial", 3))));
+  EXPECT_THAT(GridPoints(suite, suite.sequences[0], "full"),
+              ElementsAre(Json({{"window.spatial", 4}}), Json({{"window.spatial", 3}})));
   suite = WithGrid({{"scene.detector.miss_rate", {0.5}}, {"scene.camera.height_m", {1.2}}}, true);
   const double good = 0.01;  // miss rate of that level, see synth/detector/detector_options.h
-  EXPECT_THAT(
-      GridPoints(suite, suite.sequences[0], "full").front(),
-      ElementsAre(Pair("scene.detector.miss_rate", good), Pair("scene.camera.height_m", 1.1)));
+  EXPECT_EQ(GridPoints(suite, suite.sequences[0], "full").front(),
+            Json({{"scene.detector.miss_rate", good}, {"scene.camera.height_m", 1.1}}));
 }
 
-TEST(ExpandSuite, OrdersCellsBySequenceSeedPointOracleVariant) {
+TEST(ExpandSuite, OrdersJobsBySequenceSeedPointOracleVariant) {
   Json json = SmallSuite();
   json["sequences"].push_back({{"scene", "crowd"}});
   json["seeds"] = {4, 2};
@@ -93,31 +88,32 @@ TEST(ExpandSuite, OrdersCellsBySequenceSeedPointOracleVariant) {
   json["table"]["rows"] = {"variant", "oracle"};
   json["systems"] =
       Json::array({{{"name", "other"}, {"files", {{{"sequence", "crowd"}, {"camera", "c.txt"}}}}}});
-  const std::vector<Cell> cells = ExpandSuite(Parse(json));
-  ASSERT_EQ(cells.size(), 17U);
-  EXPECT_EQ(cells[0].variant, "full");
-  EXPECT_EQ(cells[1].variant, "static");
-  EXPECT_THAT(cells[2].oracle, ElementsAre("camera"));
-  EXPECT_EQ(cells[3].seed, 4U);
-  EXPECT_EQ(cells[4].seed, 2U);
-  EXPECT_EQ(cells[8].sequence.name, "crowd");
-  EXPECT_EQ(cells[16].system, "other");
-  EXPECT_EQ(cells[16].variant, "");
+  const std::vector<PlanJob> jobs = ExpandSuite(Parse(json));
+  ASSERT_EQ(jobs.size(), 17U);
+  EXPECT_EQ(jobs[0].variant, "full");
+  EXPECT_EQ(jobs[1].variant, "static");
+  EXPECT_THAT(jobs[2].oracle, ElementsAre("camera"));
+  EXPECT_EQ(jobs[3].seed, 4U);
+  EXPECT_EQ(jobs[4].seed, 2U);
+  EXPECT_EQ(jobs[8].sequence, "crowd");
+  EXPECT_EQ(jobs[16].system, "other");
+  EXPECT_EQ(jobs[16].variant, "");
 }
 
-TEST(CellInput, AChangedDetectorStartsFromTheLevelOfTheSequence) {
-  Cell cell;
-  cell.sequence = Parse(SmallSuite()).sequences[0];
-  cell.sequence.detections = "poor";
-  EXPECT_TRUE(SceneAssignments(cell.sequence, {}).empty());
-  EXPECT_EQ(RequestOf(cell, "/s", "", "").detections_file, "/s/detections/poor.txt");
-  cell.parameters = {{"scene.detector.miss_rate", 0.5}, {"window.spatial", 3}};
-  EXPECT_THAT(SceneAssignments(cell.sequence, cell.parameters),
+TEST(JobInput, AChangedDetectorStartsFromTheLevelOfTheSequence) {
+  Suite suite = Parse(SmallSuite());
+  suite.sequences[0].detections = "poor";
+  EXPECT_TRUE(SceneAssignments(suite.sequences[0], {}).empty());
+  PlanJob job;
+  job.folder = "/s";
+  EXPECT_EQ(RequestOf(suite, job, "").detections_file, "/s/detections/poor.txt");
+  job.parameters = {{"scene.detector.miss_rate", 0.5}, {"window.spatial", 3}};
+  EXPECT_THAT(SceneAssignments(suite.sequences[0], job.parameters),
               ElementsAre("detector.level=poor", "detector.miss_rate=0.5"));
-  EXPECT_EQ(RequestOf(cell, "/s", "", "").detections_file, "/s/detections/custom.txt");
+  EXPECT_EQ(RequestOf(suite, job, "").detections_file, "/s/detections/custom.txt");
 }
 
-TEST(CellInput, AGridPointOverridesTheSuiteOptions) {
+TEST(JobInput, AGridPointOverridesTheSuiteOptions) {
   Suite suite = Parse(SmallSuite());
   suite.options = {{"window", {{"spatial", 4}, {"temporal", 9}}}};
   const Options options = OptionsOf(suite, "full", {{"window.spatial", 3}});
@@ -125,16 +121,19 @@ TEST(CellInput, AGridPointOverridesTheSuiteOptions) {
   EXPECT_EQ(options.window.temporal, 9);
 }
 
-TEST(CellInput, AFolderIsReadAsTheSequenceSays) {
-  Cell cell;
-  cell.sequence.folder = "x";
-  cell.sequence.frames = "2:7";
-  cell.sequence.groundtruth = "interpolated";
-  cell.sequence.detections = "boxes/0003.txt";
-  cell.sequence.detections_camera = 2;
-  cell.sequence.min_score = 0.25;
-  cell.sequence.labels = "labels.txt";
-  const SequenceRequest request = RequestOf(cell, "/found/x", "/data", "");
+TEST(JobInput, AFolderIsReadAsTheSequenceSays) {
+  Suite suite;
+  SuiteSequence& sequence = suite.sequences.emplace_back();
+  sequence.folder = "x";
+  sequence.frames = "2:7";
+  sequence.groundtruth = "interpolated";
+  sequence.detections = "boxes/0003.txt";
+  sequence.detections_camera = 2;
+  sequence.min_score = 0.25;
+  sequence.labels = "labels.txt";
+  PlanJob job;
+  job.folder = "/found/x";
+  const SequenceRequest request = RequestOf(suite, job, "/data");
   EXPECT_EQ(request.folder, "/found/x");
   EXPECT_EQ(request.begin_frame, 2);
   EXPECT_EQ(request.end_frame, 7);
@@ -148,12 +147,70 @@ TEST(CellInput, AFolderIsReadAsTheSequenceSays) {
 TEST(Suite, JobsOfTheFirstSeedKeepLandmarksIfRequested) {
   Json json = SmallSuite();
   json["seeds"] = {7, 8};
-  for (const Cell& cell : ExpandSuite(Parse(json))) EXPECT_FALSE(cell.landmarks);
+  for (const PlanJob& job : ExpandSuite(Parse(json))) EXPECT_FALSE(job.landmarks);
   json["landmarks"] = true;
   const Suite suite = Parse(json);
-  for (const Cell& cell : ExpandSuite(suite)) EXPECT_EQ(cell.landmarks, cell.seed == 7);
+  for (const PlanJob& job : ExpandSuite(suite)) EXPECT_EQ(job.landmarks, job.seed == 7);
   EXPECT_EQ(SuiteToJson(suite)["landmarks"], true);
 }
 
+// A suite on a shipped scene, or on a file of the same name, with the trajectory that is shipped
+// for it.
+Suite SuiteWithPeers(const std::string& scene) {
+  Json json = SmallSuite();
+  json["sequences"] = Json::array({{{"scene", scene}}});
+  json["variants"] = Json::array();
+  json["systems"] = Json::array({{{"name", "ORB-SLAM2"}}});
+  return Parse(json);
+}
+
+TEST(ShippedTrajectories, AreFilesOfTheUnchangedScene) {
+  const test::TempFolder folder;
+  const Suite suite = SuiteWithPeers("indoor_1");
+  const SystemFiles files = SystemFilesOf(suite, ExpandSuite(suite).at(0), "", folder.path());
+  EXPECT_EQ(files.name, "ORB-SLAM2");
+  EXPECT_EQ(ReadTumTrajectory(files.camera).size(), 250u);
+  EXPECT_EQ(SuiteToJson(suite)["systems"], Json::array({{{"name", "ORB-SLAM2"}}}));
+}
+
+// When a scene is edited, its trajectories must be removed or computed again.
+TEST(ShippedTrajectories, NoneIsStale) {
+  const test::TempFolder folder;
+  for (const ShippedTrajectory& shipped : ShippedTrajectories()) {
+    SuiteSequence sequence;
+    sequence.scene = sequence.name = shipped.scene;
+    const auto files = ShippedSystemFiles(std::string(shipped.system), sequence, folder.path());
+    const std::size_t frames = ReadTumTrajectory(files.camera).size();
+    EXPECT_EQ(static_cast<int>(frames), synth::LoadScene(sequence.scene, {}).parts().frames)
+        << shipped.scene;
+  }
+}
+
+TEST(ShippedTrajectories, OfOtherImagesAreStale) {
+  const test::TempFolder folder;
+  const auto message = [&](const Suite& suite) {
+    return ErrorMessage([&] { SystemFilesOf(suite, ExpandSuite(suite).at(0), "", folder.path()); });
+  };
+  for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
+    if (shipped.name == "indoor_1") folder.Write("indoor_1.json", shipped.text + "\n");
+  }
+  EXPECT_THAT(message(SuiteWithPeers((folder.path() / "indoor_1.json").string())),
+              StartsWith("stale: ORB-SLAM2 on indoor_1 ran on the scene file"));
+  Suite suite = SuiteWithPeers("indoor_1");
+  suite.sequences[0].frames = "0:5";
+  EXPECT_THAT(message(suite), HasSubstr("all frames, not 0:5"));
+  suite.sequences[0].frames = "";
+  suite.sequences[0].perturb = {{"blur_px", 1}};
+  EXPECT_THAT(message(suite), StartsWith("stale: "));
+}
+
+TEST(ShippedTrajectories, AStaleTrajectoryIsNoFailedJob) {
+  Plan plan{.suite = SuiteWithPeers("indoor_1"), .build = {}, .data = {}, .jobs = {}};
+  PlanJob& job = plan.jobs.emplace_back();
+  job.folder = "/rendered";
+  job.missing = std::string(kStale) + "of another scene";
+  EXPECT_EQ(StatusOfAll({"/none"}, plan).at(0).state, JobStatus::State::kNoSequence);
+}
+
 }  // namespace
-}  // namespace cvo
+}  // namespace cvo::expand_test

@@ -7,9 +7,8 @@
 #include <set>
 #include <tuple>
 
-#include "experiments/suite/cell_input.h"
+#include "experiments/suite/job_input.h"
 #include "experiments/suite/shipped/shipped_suites.h"
-#include "experiments/suite/suite_overrides.h"
 #include "tests/experiments/suite/examples.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
@@ -127,8 +126,8 @@ TEST(Suite, AKnobIsAnAxisOfAGrid) {
   EXPECT_THAT(MessageOf(json), HasSubstr("no knob \"rate\""));
 }
 
-Perturbation PerturbationOfCell(const Cell& cell) {
-  return PerturbationOf(cell.sequence, cell.parameters, cell.seed);
+Perturbation PerturbationOfJob(const Suite& suite, const PlanJob& job) {
+  return PerturbationOf(suite.sequences.at(job.entry), job.parameters, job.seed);
 }
 
 TEST(Suite, PerturbationsAreKeysOfASequenceAndAxesOfAGrid) {
@@ -136,13 +135,13 @@ TEST(Suite, PerturbationsAreKeysOfASequenceAndAxesOfAGrid) {
   json["grid"] = {{"perturb.blur_px", {0, 2}}};
   json["table"]["rows"] = {"variant", "perturb.blur_px"};
   const Suite suite = Parse(json);
-  const std::vector<Cell> cells = ExpandSuite(suite);
-  EXPECT_EQ(PerturbationOfCell(cells.front()).noise, 3.0);
-  EXPECT_EQ(PerturbationOfCell(cells.back()).blur_px, 2.0);
-  EXPECT_EQ(PerturbationOfCell(cells.back()).seed, cells.back().seed);
+  const std::vector<PlanJob> jobs = ExpandSuite(suite);
+  EXPECT_EQ(PerturbationOfJob(suite, jobs.front()).noise, 3.0);
+  EXPECT_EQ(PerturbationOfJob(suite, jobs.back()).blur_px, 2.0);
+  EXPECT_EQ(PerturbationOfJob(suite, jobs.back()).seed, jobs.back().seed);
   EXPECT_EQ(Parse(SuiteToJson(suite)).sequences[0].perturb, Json({{"noise", 3}}));
   json["grid_one_at_a_time"] = true;
-  EXPECT_EQ(PerturbationOfCell(ExpandSuite(Parse(json)).front()).blur_px, 0.0);
+  EXPECT_EQ(PerturbationOfJob(suite, ExpandSuite(Parse(json)).front()).blur_px, 0.0);
 }
 
 // A wrong value at a JSON pointer, and the key that the message must name.
@@ -278,15 +277,6 @@ TEST(ShippedSuites, TheLadderHasEveryRung) {
   for (const VariantInfo& variant : Variants().subspan(NamedVariantInfos().size())) {
     EXPECT_THAT(names, testing::Contains(std::string(variant.name)));
   }
-}
-
-TEST(ShippedSuites, GatePowerUsesTheScenesOfTheGateAndEveryRung) {
-  const Suite gate = LoadSuite("ci");
-  const Suite power = LoadSuite("gate_power");
-  EXPECT_EQ(SuiteToJson(power)["sequences"], SuiteToJson(gate)["sequences"]);
-  EXPECT_EQ(power.seeds, gate.seeds);
-  EXPECT_EQ(power.table.metrics, gate.table.metrics);
-  EXPECT_EQ(power.variants, LoadSuite("leave_one_out").variants);
 }
 
 TEST(ShippedSuites, AreCompleteAndNamedAfterTheirFiles) {

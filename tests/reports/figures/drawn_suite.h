@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/figures/suite/suite_figures.h"
+#include "reports/figures/suite_figures.h"
 
 namespace cvo::test {
 
@@ -104,21 +104,36 @@ inline reports::SuiteData DrawnSuite(const std::vector<std::string>& variants,
   return data;
 }
 
-// Returns the figure with this id, or an empty figure if there is none.
-inline reports::Figure FindFigure(const reports::SuiteDrawing& drawing, const std::string& id) {
-  for (const reports::Figure& figure : drawing.figures) {
-    if (figure.id == id) return figure;
+// Returns the figure with this name, or an empty one.
+inline reports::Figure FindFigure(const reports::SuiteFigures& drawn, const std::string& name) {
+  for (const reports::Figure& figure : drawn.figures) {
+    if (figure.name == name) return figure;
   }
   return {};
 }
 
-// Returns the traces with this name; with an empty name, the unnamed traces.
-inline std::vector<Json> TracesNamed(const Json& plotly, const std::string& name) {
-  std::vector<Json> traces;
-  for (const Json& trace : plotly["data"]) {
-    if (trace.value("name", "") == name) traces.push_back(trace);
+// Returns the series with data that have this name.
+inline std::vector<reports::Series> SeriesNamed(const reports::Chart& chart,
+                                                const std::string& name) {
+  std::vector<reports::Series> found;
+  for (const reports::Panel& panel : chart.panels) {
+    for (const reports::Series& series : panel.series) {
+      if (series.name == name && !series.data.empty()) found.push_back(series);
+    }
   }
-  return traces;
+  return found;
+}
+
+// The coordinates of a series; -1 for a gap.
+inline std::vector<double> XsOf(const reports::Series& series) {
+  std::vector<double> xs;
+  for (const reports::Datum& datum : series.data) xs.push_back(datum.x == datum.x ? datum.x : -1.0);
+  return xs;
+}
+inline std::vector<double> YsOf(const reports::Series& series) {
+  std::vector<double> ys;
+  for (const reports::Datum& datum : series.data) ys.push_back(datum.y == datum.y ? datum.y : -1.0);
+  return ys;
 }
 
 }  // namespace cvo::test

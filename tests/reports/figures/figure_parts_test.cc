@@ -4,20 +4,10 @@
 
 #include "reports/figures/numbers.h"
 #include "reports/figures/palette.h"
-#include "reports/figures/plot.h"
-#include "reports/figures/relation.h"
-#include "reports/figures/suite/swept_lines.h"
 #include "tests/reports/figures/drawn_suite.h"
 
 namespace cvo::reports {
 namespace {
-
-TEST(FigureNumbers, AreRoundedToFourSignificantDigits) {
-  EXPECT_EQ(Rounded(0.0123456), 0.01235);
-  EXPECT_EQ(Rounded(123456.0), 123500.0);
-  EXPECT_EQ(Rounded(0.0), 0.0);
-  EXPECT_EQ(RoundedList({1.00001, 2.0}).dump(), "[1.0,2.0]");
-}
 
 TEST(FigureNumbers, AreWrittenWithoutExponents) {
   EXPECT_EQ(NumberText(0.0123456), "0.0123");
@@ -47,13 +37,10 @@ TEST(FigureNumbers, ACellIsWrittenWithItsInterval) {
   EXPECT_EQ(CellValueText({}, column), "no value");
 }
 
-TEST(FigureTexts, AreEscapedInMarkup) {
-  EXPECT_EQ(PlotText("<b>&\n"), "&lt;b&gt;&amp; ");
+TEST(FigureTexts, AreListedAndMadeFileNames) {
   EXPECT_EQ(Slug("Room <1>, a/../b"), "room-1-a-b");
   EXPECT_EQ(Slug("<>"), "x");
   EXPECT_EQ(Listed({"a", "b", "c"}), "a, b and c");
-  EXPECT_THAT(PlotJson({{{"name", "</script>"}}}, Json::object()),
-              testing::Not(testing::HasSubstr("<")));
 }
 
 TEST(FigureTexts, RelationTextSummarisesTheContract) {
@@ -72,30 +59,20 @@ TEST(FigureTexts, RelationTextSummarisesTheContract) {
 TEST(Palette, AVariantLooksTheSameInEverySuite) {
   const Palette alone({"2d"});
   const Palette among({"mine", "full", "2d", "yours"});
-  EXPECT_EQ(alone.Of("2d").colour, among.Of("2d").colour);
-  EXPECT_EQ(alone.Of("2d").symbol, among.Of("2d").symbol);
-  EXPECT_NE(among.Of("mine").colour, among.Of("full").colour);
-  EXPECT_NE(among.Of("mine").colour, among.Of("2d").colour);
-  EXPECT_NE(among.Of("mine").colour, among.Of("yours").colour);
-  EXPECT_EQ(Faded("#0072b2", 0.5), "rgba(0,114,178,0.5)");
+  EXPECT_EQ(alone.Line("2d").colour, among.Line("2d").colour);
+  EXPECT_EQ(alone.Points("2d").symbol, among.Points("2d").symbol);
+  EXPECT_NE(among.Line("mine").colour, among.Line("full").colour);
+  EXPECT_NE(among.Line("mine").colour, among.Line("2d").colour);
+  EXPECT_NE(among.Line("mine").colour, among.Line("yours").colour);
 }
 
 TEST(Palette, RepeatedColoursAreDashed) {
   std::vector<std::string> names;
   for (int i = 0; i < 12; ++i) names.push_back("variant " + std::to_string(i));
   const Palette palette(names);
-  EXPECT_EQ(palette.Of("variant 0").colour, palette.Of("variant 8").colour);
-  EXPECT_NE(palette.Of("variant 0").dash, palette.Of("variant 8").dash);
-  EXPECT_NE(palette.Of("variant 0").symbol, palette.Of("variant 8").symbol);
-}
-
-TEST(LogSpacing, IsDetectedFromTheValues) {
-  EXPECT_TRUE(AreLogSpaced({0.01, 0.1, 1, 10}));
-  EXPECT_TRUE(AreLogSpaced({1, 2, 3, 5, 8, 12}));
-  EXPECT_FALSE(AreLogSpaced({0, 1, 10, 100})) << "zero has no logarithm";
-  EXPECT_FALSE(AreLogSpaced({5, 10, 15, 20, 30, 40}));
-  EXPECT_FALSE(AreLogSpaced({0.5, 0.7, 0.9})) << "less than a decade";
-  EXPECT_FALSE(AreLogSpaced({1, 10}));
+  EXPECT_EQ(palette.Line("variant 0").colour, palette.Line("variant 8").colour);
+  EXPECT_NE(palette.Line("variant 0").dash, palette.Line("variant 8").dash);
+  EXPECT_NE(palette.Points("variant 0").symbol, palette.Points("variant 8").symbol);
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "reports/gate/baseline.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
 
-#include "reports/gate/gate_text.h"
-#include "reports/gate/make_baseline.h"
 #include "tests/reports/gate/gate_folder.h"
 #include "tests/support/error_message.h"
 
@@ -42,25 +42,18 @@ TEST(Baseline, ReadsBackAsWritten) {
   EXPECT_FALSE(again.jobs[1].time_ratio) << "of static itself";
 }
 
-TEST(Baseline, RequiresACompleteSuite) {
-  const GateFolder folder;
-  std::filesystem::remove_all(folder.path() / "jobs" / GateFolder::Id("room", "full", 3));
-  EXPECT_THAT(ErrorMessage([&] { MakeBaseline(folder.path()); }),
-              HasSubstr("full on room, detections good, seed 3: found not run"));
-}
-
-TEST(Baseline, NeedsTwoSeeds) {
-  const GateFolder folder(1);
-  EXPECT_THAT(ErrorMessage([&] { MakeBaseline(folder.path()); }), HasSubstr("found 1 seed,"));
-  const GateFolder two(2);
-  EXPECT_THAT(ErrorMessage([&] { MakeBaseline(two.path(), 3); }), HasSubstr("found 2 seeds"));
-}
-
-TEST(Baseline, NeedsOneContractPerMetric) {
+TEST(Baseline, RequiresACompleteSuiteWithTwoSeedsAndOneContractPerMetric) {
+  const auto error = [](const GateFolder& folder, std::size_t seeds = 0) {
+    return ErrorMessage([&] { MakeBaseline(folder.path(), seeds); });
+  };
+  EXPECT_THAT(error(GateFolder(1)), HasSubstr("found 1 seed,"));
+  EXPECT_THAT(error(GateFolder(2), 3), HasSubstr("found 2 seeds"));
   const GateFolder folder;
   folder.Edit(GateFolder::Id("street", "full", 2),
               [](Json& result) { result["metrics"][1]["contract"]["truth"] = "interpolated"; });
-  EXPECT_THAT(ErrorMessage([&] { MakeBaseline(folder.path()); }), HasSubstr("another contract"));
+  EXPECT_THAT(error(folder), HasSubstr("another contract"));
+  std::filesystem::remove_all(folder.path() / "jobs" / GateFolder::Id("room", "full", 3));
+  EXPECT_THAT(error(folder), HasSubstr("full on room, detections good, seed 3: found not run"));
 }
 
 TEST(Baseline, BadFilesGiveErrorsOfOneLine) {
@@ -94,49 +87,6 @@ TEST(Baseline, BadFilesGiveErrorsOfOneLine) {
   EXPECT_THAT(message([](Json& json) { json["seeds"] = {-1}; }), HasSubstr("an integer from 0"));
   const auto cut = temp.Write("cut.json", good.substr(0, good.size() / 2));
   EXPECT_THAT(ErrorMessage([&] { ReadBaseline(cut); }), HasSubstr("one complete JSON value"));
-}
-
-GateReport HandMadeReport() {
-  GateReport report;
-  report.suite = "ci";
-  report.baseline_commit = "abc";
-  report.runs = 2;
-  report.comparisons = {{"full", "", "camera_ate", "m", 1.0, 2.0, 0.5, 2, Verdict::kWorse},
-                        {"full", "a<b", "moving_recall", "1", 0.5, 0.5, 0.1, 2, Verdict::kSame}};
-  report.problems = {{"2d on \"room\" & more", "bad | <\x01>\nline"}};
-  return report;
-}
-
-TEST(GateText, JunitIsEscapedAndHasCounts) {
-  const std::string xml = GateJunit(HandMadeReport());
-  EXPECT_THAT(xml, HasSubstr("<testsuite name=\"clustervo.ci\" tests=\"3\" failures=\"2\""));
-  EXPECT_THAT(xml, HasSubstr("classname=\"clustervo.ci.full\" name=\"camera_ate\" time=\"0\">"
-                             "<failure message=\"2, in the baseline 1: +1, tolerance 0.5\"/>"));
-  EXPECT_THAT(xml, HasSubstr("name=\"moving_recall on a&lt;b\" time=\"0\"/>"));
-  EXPECT_THAT(xml, HasSubstr("name=\"2d on &quot;room&quot; &amp; more\" time=\"0\">"
-                             "<failure message=\"bad | &lt;\uFFFD&gt; line\"/>"));
-  EXPECT_EQ(std::count(xml.begin(), xml.end(), '\x01'), 0);
-}
-
-TEST(GateText, MarkdownIsATable) {
-  const std::string text = GateMarkdown(HandMadeReport());
-  EXPECT_THAT(text, HasSubstr("### Regression\n\nci: 2 runs compared with those of abc: 1 worse"));
-  EXPECT_THAT(text,
-              HasSubstr("| full | all | camera\\_ate (m) | 1 | 2 | +1 | 0.5 | 2 | WORSE |\n"));
-  EXPECT_THAT(text, HasSubstr("- 2d on \"room\" \\& more: bad \\| \\<"));
-  GateReport good = HandMadeReport();
-  good.problems.clear();
-  good.comparisons.erase(good.comparisons.begin());
-  EXPECT_THAT(GateMarkdown(good), HasSubstr("### No regression"));
-}
-
-TEST(GateText, LongListsOfProblemsAreTruncated) {
-  GateReport report = HandMadeReport();
-  report.problems.assign(50, {"a", "b"});
-  EXPECT_EQ(ProblemLines(report).size(), 21U);
-  EXPECT_EQ(ProblemLines(report).back(), "and 30 more");
-  report.changed = 1;  // takes a line of its own
-  EXPECT_EQ(ProblemLines(report).back(), "and 30 more");
 }
 
 }  // namespace

@@ -5,26 +5,21 @@
 
 #include <gmock/gmock.h>
 
-#include "reports/runs/body_words.h"
-#include "tests/support/error_message.h"
-#include "tests/support/temp_folder.h"
-
 namespace cvo::reports {
 namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 constexpr int kBody = 3;
 constexpr std::int64_t kCluster = 7;
 
 // Returns `count` landmarks on a body, all with this label.
-std::vector<LabelledLandmark> On(int body, std::int64_t label, int count) {
-  LabelledLandmark landmark;
-  landmark.assigned = landmark.inferred = label;
+std::vector<LandmarkRow> On(int body, std::int64_t label, int count) {
+  LandmarkRow landmark;
+  landmark.label = label;
   landmark.truth_body = body;
-  return std::vector<LabelledLandmark>(static_cast<std::size_t>(count), landmark);
+  return std::vector<LandmarkRow>(static_cast<std::size_t>(count), landmark);
 }
 
 // One frame, in which the body is visible.
@@ -42,7 +37,7 @@ struct OneFrame {
     body.visible = {10};
   }
   void Add(int of, std::int64_t label, int count) {
-    for (const LabelledLandmark& landmark : On(of, label, count)) {
+    for (const LandmarkRow& landmark : On(of, label, count)) {
       landmarks[10].push_back(landmark);
     }
   }
@@ -101,27 +96,6 @@ TEST(BodyStory, ClusterMayBeJoinedWithAnotherBody) {
   EXPECT_EQ(frame.Stage(), BodyStage::kLabel);
 }
 
-TEST(BodyStory, ComparesTheWrongLabelWithTheTrueOne) {
-  OneFrame frame;
-  frame.Add(kBody, kCluster, 10);
-  frame.Estimate(0.01);
-  LabelledLandmark wrong = On(kBody, 0, 1)[0];
-  wrong.second = kCluster;
-  wrong.energies = {0.1, 0.2, 0.3};
-  wrong.second_energies = {2.1, 0.2, 0.1};
-  frame.landmarks[10].push_back(wrong);
-  wrong.second = -1;
-  frame.landmarks[10].push_back(wrong);
-  const BodyStory story = frame.Story();
-  const LabelContest& contest = story.frames[0].contest;
-  EXPECT_EQ(contest.wrong, 2);
-  EXPECT_EQ(contest.label, 0);
-  EXPECT_EQ(contest.told, 1);
-  EXPECT_THAT(FrameLines(story, story.frames[0], {}),
-              Contains(HasSubstr("static 0.1 + 0.2 + 0.3 = 0.6, cluster 7 2.1 + 0.2 + 0.1 = 2.4")));
-  EXPECT_THAT(FrameLines(story, story.frames[0], {}), Contains(HasSubstr("the 2D boxes decide")));
-}
-
 // Frames 10 to 29: not estimated, good, 12 cm off, good, lost, good; hidden in one lost frame.
 BodyStory LongStory() {
   OneFrame frame;
@@ -143,33 +117,38 @@ TEST(BodyStory, HasEventsForFoundLostWrongAndWorst) {
   EXPECT_EQ(story.Count(BodyStage::kLabel), 6);
   EXPECT_EQ(story.Cause(), BodyStage::kLabel);
   std::vector<std::string> events;
-  for (const BodyEvent& event : story.events) {
+  for (const BodyEvent& event : EventsOf(story)) {
     events.push_back(StrCat(event.frame, " ", event.what));
   }
-  EXPECT_THAT(events,
-              ElementsAre("10 visible, not estimated for 2 frames from 10 on: label wrong",
-                          "12 first estimated",
-                          "16 off by more than 10 cm for 2 frames from 16 on: motion wrong, worst "
-                          "error, 12 cm",
-                          "20 lost for 4 frames from 20 on: label wrong", "25 found again"));
+  EXPECT_THAT(events, ElementsAre("12 first estimated", "16 worst error, 12 cm", "20 lost",
+                                  "25 found again"));
   EXPECT_THAT(StoryLines(story), Contains("frames by failed stage: label wrong 6, motion wrong 2"));
 }
 
-TEST(ReadLabelledLandmarks, NeedsTheSecondLabel) {
-  const test::TempFolder folder;
-  folder.Write("old.csv", "frame,cluster,inferred,energy_2d,energy_3d,energy_motion,truth_body\n");
-  EXPECT_THAT(ErrorMessage([&] { ReadLabelledLandmarks(folder.path() / "old.csv"); }),
-              HasSubstr("found no column \"second\""));
-  folder.Write("new.csv",
-               "frame,cluster,inferred,energy_2d,energy_3d,energy_motion,truth_body,second,"
-               "second_2d,second_3d,second_motion\n4,7,,1,2,3,,0,4,5,6\n");
-  const LandmarksByFrame landmarks = ReadLabelledLandmarks(folder.path() / "new.csv");
-  const LabelledLandmark& landmark = landmarks.at(4).at(0);
-  EXPECT_EQ(landmark.assigned, 7);
-  EXPECT_EQ(landmark.inferred, -1);
-  EXPECT_EQ(landmark.truth_body, -1);
-  EXPECT_EQ(landmark.second, 0);
-  EXPECT_THAT(landmark.second_energies, ElementsAre(4, 5, 6));
+TEST(BodyStory, TimelineHasARowForEachStretchOfAStage) {
+  std::vector<std::string> rows;
+  for (const TimelineRow& row : TimelineOf(LongStory(), {})) {
+    rows.push_back(StrCat(row.frames, " ", row.stage, " ", row.error_cm));
+  }
+  EXPECT_THAT(rows, ElementsAre("10-11 label wrong -", "12-15 good 2", "16-17 motion wrong 12",
+                                "18-19 good 2", "20-21 label wrong -", "23-24 label wrong -",
+                                "25-29 good 2"));
+}
+
+TEST(BodyStory, TimelineSaysWhatTheLandmarksAreLabelledAs) {
+  OneFrame frame;
+  frame.Add(kBody, kCluster, 6);
+  frame.Add(kBody, 0, 2);
+  frame.Add(4, kCluster, 20);
+  frame.detected[10] = true;
+  frame.Estimate(0.2);
+  BodyDetail other;
+  other.id = 4;
+  other.name = "chair_2";
+  const TimelineRow row = TimelineOf(frame.Story(), {frame.body, other}).at(0);
+  EXPECT_EQ(row.landmarks, "8: 6 cluster 7 (its own), 2 static; its cluster is mostly on chair_2");
+  EXPECT_EQ(row.detected, "1 of 1");
+  EXPECT_EQ(row.events, "10 merged into another body, first estimated, worst error, 20 cm");
 }
 
 }  // namespace

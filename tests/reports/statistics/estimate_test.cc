@@ -1,20 +1,182 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Tests edge cases of estimates (samples that just suffice or are left out) and values computed by
-// hand.
+// Estimates: hand-computed values, edge cases, and coverage of their intervals.
 #include "reports/statistics/estimate.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
+#include <string>
 
-#include "reports/statistics/common_frames.h"
-#include "reports/statistics/paired_test.h"
+#include "core/base/error.h"
+#include "core/base/rng.h"
 
 namespace cvo::reports {
 namespace {
+
+Sample Of(const std::string& scene, int body, int seed, double value, double reference = 0.0) {
+  return {"", scene, std::to_string(body), std::to_string(seed), {value}, {reference}};
+}
+
+TEST(Statistics, AverageOverSeedsThenBodiesThenScenes) {
+  // Body 1 of room a: (1 + 3) / 2 = 2; body 2: 6, one seed only. Room a: 4. Room b: 10.
+  const std::vector<Sample> samples = {Of("a", 1, 0, 1.0), Of("a", 1, 1, 3.0), Of("a", 2, 0, 6.0),
+                                       Of("b", 1, 0, 10.0)};
+  const auto estimate = EstimateMean(samples, Within::kMean);
+  ASSERT_TRUE(estimate);
+  EXPECT_DOUBLE_EQ(estimate->value, 7.0);
+  EXPECT_EQ(estimate->scenes, 2U);
+  EXPECT_EQ(estimate->bodies, 3U);
+}
+
+TEST(Statistics, CountsAreSummedWithinAScene) {
+  const std::vector<Sample> samples = {Of("a", 1, 0, 1.0), Of("a", 2, 0, 4.0), Of("b", 1, 0, 3.0)};
+  EXPECT_DOUBLE_EQ(EstimateMean(samples, Within::kSum)->value, 4.0);
+}
+
+TEST(Statistics, FractionsAreOfAllFramesOfAScene) {
+  // 30 of 40 and 10 of 60 frames: 40 %, not the mean of 75 % and 17 %.
+  const std::vector<Sample> samples = {{"", "a", "1", "0", {30.0, 40.0}},
+                                       {"", "a", "2", "0", {10.0, 60.0}}};
+  EXPECT_DOUBLE_EQ(EstimateMean(samples, Within::kMean)->value, 0.4);
+}
+
+TEST(Statistics, EmptySamplesGiveNoEstimate) {
+  EXPECT_FALSE(EstimateMean({}, Within::kMean));
+  EXPECT_FALSE(EstimateMean({{"", "a", "1", "0", {0.0, 0.0}}}, Within::kMean));
+  EXPECT_FALSE(EstimateDifference({}, Within::kMean));
+}
+
+TEST(Statistics, TheSameSampleTwiceIsAnError) {
+  EXPECT_THROW(EstimateMean({Of("a", 1, 0, 1.0), Of("a", 1, 0, 2.0)}, Within::kMean), Error);
+}
+
+std::vector<Sample> RandomRooms(std::uint64_t seed, int rooms, int bodies) {
+  Rng rng(seed, "rooms");
+  std::vector<Sample> samples;
+  for (int room = 0; room < rooms; ++room) {
+    for (int body = 0; body < bodies; ++body) {
+      const double reference = 1.0 + rng.Uniform();
+      samples.push_back(Of(std::to_string(room), body, 0, reference + rng.Normal(), reference));
+    }
+  }
+  return samples;
+}
+
+TEST(Statistics, OrderOfSamplesDoesNotMatter) {
+  std::vector<Sample> samples = RandomRooms(3, 4, 3);
+  const auto forward = EstimateDifference(samples, Within::kMean);
+  std::reverse(samples.begin(), samples.end());
+  const auto backward = EstimateDifference(samples, Within::kMean);
+  EXPECT_EQ(forward->difference, backward->difference);
+  EXPECT_EQ(forward->interval->low, backward->interval->low);
+  EXPECT_EQ(forward->interval->high, backward->interval->high);
+}
+
+// The bodies of a room share its difficulty: standard deviation 1 between rooms, 0.3 within.
+std::vector<Sample> SharedRooms(std::uint64_t seed, int rooms, double mean) {
+  Rng rng(seed, "shared");
+  std::vector<Sample> samples;
+  for (int room = 0; room < rooms; ++room) {
+    const double of_room = mean + rng.Normal();
+    for (int body = 0; body < 5; ++body) {
+      samples.push_back(Of(std::to_string(room), body, 0, 5.0 + of_room + 0.3 * rng.Normal(), 5.0));
+    }
+  }
+  return samples;
+}
+
+// The interval over 24 rooms of 5 bodies has its nominal coverage. One over their 120 bodies would
+// be less than half as wide.
+TEST(Statistics, IntervalsOverScenesHaveNominalCoverage) {
+  constexpr int kTrials = 200;
+  int covered = 0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const auto estimate = EstimateDifference(SharedRooms(trial, 24, 0.0), Within::kMean);
+    covered += estimate->interval->Contains(0.0) ? 1 : 0;
+  }
+  EXPECT_GE(covered, 0.90 * kTrials);
+  EXPECT_LE(covered, 0.99 * kTrials);
+}
+
+TEST(Statistics, OneSceneResamplesItsBodies) {
+  const auto estimate = EstimateDifference(SharedRooms(3, 1, 0.0), Within::kMean);
+  EXPECT_EQ(estimate->scenes, 1U);
+  EXPECT_EQ(estimate->pairs, 5U);
+  EXPECT_FALSE(estimate->scenes_for_10_percent);
+  EXPECT_LT(estimate->interval->high - estimate->interval->low, 1.0);
+}
+
+TEST(Statistics, SeedsAndBodiesDoNotNarrowAnInterval) {
+  std::vector<Sample> samples = SharedRooms(7, 12, 0.0);
+  const auto once = EstimateDifference(samples, Within::kMean);
+  for (Sample sample : SharedRooms(7, 12, 0.0)) {
+    sample.repetition = "1";
+    samples.push_back(sample);
+  }
+  const auto twice = EstimateDifference(samples, Within::kMean);
+  EXPECT_EQ(once->interval->low, twice->interval->low);
+  EXPECT_EQ(once->p_value, twice->p_value);
+  EXPECT_EQ(once->pairs, 12U);
+}
+
+// The variance over resamples is that of the mean over n scenes; drawing n of n scenes would give
+// (n - 1) / n of it.
+TEST(Statistics, SpreadOfTheBootstrapIsThatOfTheMean) {
+  constexpr int kRooms = 5;
+  const auto strata = GroupSamples(SharedRooms(5, kRooms, 0.0), Within::kMean);
+  const std::vector<Unit>& rooms = strata->units[0];
+  double mean = 0.0;
+  double expected = 0.0;
+  for (const Unit& room : rooms) mean += room.parts[0].sum / kRooms;
+  for (const Unit& room : rooms) {
+    expected += std::pow(room.parts[0].sum - mean, 2) / (kRooms - 1) / kRooms;
+  }
+  double variance = 0.0;
+  for (const auto& r : Bootstrap(strata->units, strata->within)) {
+    variance += std::pow(r[0] - mean, 2) / kResamples;
+  }
+  EXPECT_NEAR(variance, expected, 0.06 * expected);
+}
+
+TEST(PairedTest, FalseAlarmsAreOneInTwenty) {
+  int alarms = 0;
+  constexpr int kTrials = 400;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    alarms += *EstimateDifference(SharedRooms(trial, 8, 0.0), Within::kMean)->p_value < 0.05;
+  }
+  EXPECT_GE(alarms, 8);
+  EXPECT_LE(alarms, 34);
+}
+
+TEST(Statistics, PairingRemovesDifferencesBetweenBodies) {
+  // Bodies differ by 1, variants by 0.1 with little noise.
+  std::vector<Sample> pairs;
+  for (int body = 0; body < 8; ++body) {
+    pairs.push_back(Of("a", body, 0, 1.1 + body + 0.01 * (body % 2), 1.0 + body));
+  }
+  const auto estimate = EstimateDifference(pairs, Within::kMean);
+  ASSERT_TRUE(estimate && estimate->interval && estimate->percent && estimate->effect);
+  EXPECT_NEAR(estimate->difference, 0.105, 1e-12);
+  EXPECT_NEAR(estimate->reference, 4.5, 1e-12);
+  EXPECT_NEAR(*estimate->percent, 100.0 * 0.105 / 4.5, 1e-9);
+  EXPECT_TRUE(estimate->percent_interval->Contains(*estimate->percent));
+  EXPECT_NEAR(*estimate->effect, 0.105 / (0.005 * std::sqrt(8.0 / 7.0)), 1e-6);
+  EXPECT_LT(*estimate->p_value, 1e-6);
+  EXPECT_FALSE(EstimateMean(pairs, Within::kMean)->interval->Contains(4.0 - 1.5));
+}
+
+TEST(Statistics, EqualVariantsDoNotDiffer) {
+  std::vector<Sample> pairs;
+  for (int body = 0; body < 8; ++body) pairs.push_back(Of("a", body, 0, body / 6, body / 6));
+  const auto estimate = EstimateDifference(pairs, Within::kMean);
+  EXPECT_EQ(estimate->difference, 0.0);
+  EXPECT_EQ(estimate->p_value, 1.0);
+  EXPECT_FALSE(estimate->effect);
+  EXPECT_FALSE(estimate->percent_interval) << "a resampled reference can be 0";
+}
 
 Sample InScene(int scene, double value, double reference) {
   return {"", std::to_string(scene), "1", "0", {value}, {reference}};
@@ -77,6 +239,7 @@ TEST(Estimate, AStratumOfTwoIsResampledAndOneOfOneIsNot) {
                                        {"room", "b", "1", "0", {3.0}},
                                        {"street", "c", "1", "0", {8.0}}};
   const auto estimate = EstimateMean(samples, Within::kMean);
+  EXPECT_DOUBLE_EQ(estimate->value, 5.0) << "families have equal weight";
   EXPECT_DOUBLE_EQ(estimate->interval->low, 4.5);
   EXPECT_DOUBLE_EQ(estimate->interval->high, 5.5);
 }
@@ -122,15 +285,6 @@ TEST(Difference, OfAConstantRatioIsTheSameInAllDraws) {
   EXPECT_NEAR(estimate->reference_lower_interval->high, 20.0, 1e-9);
 }
 
-TEST(Difference, OfAConstantOffsetIsTheSameInAllDraws) {
-  std::vector<Sample> pairs;
-  for (int scene = 1; scene <= 7; ++scene) pairs.push_back(InScene(scene, scene - 0.25, scene));
-  const auto estimate = EstimateDifference(pairs, Within::kMean);
-  EXPECT_NEAR(estimate->interval->low, -0.25, 1e-12);
-  EXPECT_NEAR(estimate->interval->high, -0.25, 1e-12);
-  EXPECT_FALSE(estimate->effect) << "no spread";
-}
-
 TEST(Difference, PercentagesNeedAPositiveBase) {
   const auto no_reference =
       EstimateDifference({InScene(1, 0.5, -0.5), InScene(2, 0.25, 0.5)}, Within::kMean);
@@ -174,61 +328,6 @@ TEST(Difference, StatesTheScenesNeededFromSixScenesOn) {
   EXPECT_EQ(estimate->scenes_for_10_percent, PairsNeeded({{0, 1, 0, 1, 0, 1}}, 0.1));
   for (Sample& pair : pairs) pair.reference = {0.0};
   EXPECT_FALSE(EstimateDifference(pairs, Within::kMean)->scenes_for_10_percent);
-}
-
-TEST(PairedTest, MatchesHandComputedStrata) {
-  // Two values each, with means 5 and 1 and variances 2 and 8: mean 3 with the variance
-  // (2 / 2 + 8 / 2) / 4 and two degrees of freedom.
-  const double t = 3.0 / std::sqrt(1.25);
-  const double expected = 1.0 - t / std::sqrt(2.0 + t * t);
-  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}, {-1.0, 3.0}}), expected, 1e-12);
-  EXPECT_NEAR(*PairedPValue({{-4.0, -6.0}, {1.0, -3.0}}), expected, 1e-12) << "two-sided";
-  // A stratum of one value contributes to the mean only: (5 + 1) / 2 with variance 1 / 4.
-  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}, {1.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(6.0),
-              1e-12);
-}
-
-TEST(PairedTest, MatchesHandComputedValuesOfOneStratum) {
-  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(5.0), 1e-12);
-  EXPECT_NEAR(*PairedPValue({{-1.0, 3.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(0.5), 1e-12);
-  EXPECT_EQ(*PairedPValue({{0.0, 0.0}}), 1.0);
-}
-
-TEST(PairsNeeded, AccountForStrata) {
-  const double root = std::sqrt(0.5);
-  // Two strata take a degree of freedom each: seven pairs leave five, and
-  // (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 7 * 1.5^2.
-  EXPECT_EQ(PairsNeeded({{-root, root}, {-root, root}}, 1.5), 7U);
-  EXPECT_EQ(PairsNeeded({{-root, root}, {7.0}}, 1.5), 7U) << "one alone has no spread";
-  EXPECT_EQ(PairsNeeded({{1.0, 1.0}, {2.0, 2.0}}, 0.1), 3U) << "no spread";
-  EXPECT_EQ(PairsNeeded({{-1.0, 1.0}}, 1e-6), 1'000'000U) << "no more than a million";
-}
-
-TEST(Holm, AnAdjustedValueIsAtMostOne) {
-  EXPECT_EQ(HolmAdjusted({0.9, 0.6}), (std::vector<double>{1.0, 1.0}));
-  EXPECT_EQ(HolmAdjusted({0.25, 0.25}), (std::vector<double>{0.5, 0.5}));
-}
-
-TEST(CommonFrames, IncludeTheFirstAndTheLast) {
-  const FrameErrors a = {{0, 2}, {3.0, 4.0}};
-  const FrameErrors b = {{0, 1, 2}, {1.0, 9.0, 7.0}};
-  const auto both = CommonRootMeanSquares(a, b);
-  EXPECT_DOUBLE_EQ(both->first, std::sqrt(12.5));
-  EXPECT_DOUBLE_EQ(both->second, 5.0);
-  EXPECT_DOUBLE_EQ(CommonRootMeanSquares({{4}, {2.0}}, {{4}, {3.0}})->second, 3.0);
-}
-
-// What was removed from the end is not read.
-TEST(CommonFrames, DoNotReadBeyondTheEnd) {
-  FrameErrors a = {{1, 5}, {2.0, 8.0}};
-  FrameErrors b = {{1, 5}, {3.0, 8.0}};
-  for (FrameErrors* errors : {&a, &b}) {
-    errors->frames.pop_back();
-    errors->position_m.pop_back();
-    const auto both = CommonRootMeanSquares(a, b);
-    EXPECT_DOUBLE_EQ(both->first, 2.0);
-    EXPECT_DOUBLE_EQ(both->second, 3.0);
-  }
 }
 
 }  // namespace

@@ -6,8 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "reports/tables/columns.h"
+#include "reports/tables/cells.h"
 #include "tests/reports/results/result_files.h"
+#include "tests/support/error_message.h"
 
 namespace cvo::reports {
 namespace {
@@ -27,12 +28,7 @@ class MakeTableTest : public testing::Test {
     return MakeTable(suite_.Written(), {}, defaults);
   }
   std::string MakeError() const {
-    try {
-      Make();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "";
+    return ErrorMessage([this] { Make(); });
   }
 
   SuiteResults suite_;
@@ -239,14 +235,9 @@ TEST_F(MakeTableTest, BadPlansAreRefused) {
   suite_.Add(Result());
   const auto file = suite_.Written() / "plan.json";
   const std::string whole = test::ReadFile(file);
-  const auto error = [&](const std::string& text) -> std::string {
+  const auto error = [&](const std::string& text) {
     suite_.folder().Write("plan.json", text);
-    try {
-      MakeTable(suite_.folder().path(), {}, "");
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "";
+    return ErrorMessage([&] { MakeTable(suite_.folder().path(), {}, ""); });
   };
   EXPECT_EQ(error(whole), "");
   EXPECT_THAT(error(whole.substr(0, whole.size() / 2)), HasSubstr("plan.json: found text that"));

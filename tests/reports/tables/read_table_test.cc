@@ -6,11 +6,12 @@
 #include <functional>
 
 #include "core/base/error.h"
-#include "reports/formats/table_text.h"
 #include "reports/tables/make_table.h"
-#include "reports/tables/table_json.h"
-#include "tests/reports/formats/hostile_table.h"
+#include "reports/tables/table.h"
+#include "reports/tables/table_texts.h"
 #include "tests/reports/results/result_files.h"
+#include "tests/reports/tables/hostile_table.h"
+#include "tests/support/error_message.h"
 
 namespace cvo::reports {
 namespace {
@@ -22,12 +23,7 @@ using testing::IsEmpty;
 using testing::Not;
 
 std::string ErrorOf(const std::string& text) {
-  try {
-    ReadTable(text, "table.json");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorMessage([&] { ReadTable(text, "table.json"); });
 }
 
 // Returns the error message about the hostile table after one change.

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/tables/reference.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
 #include "reports/tables/make_table.h"
 #include "tests/reports/results/result_files.h"
+#include "tests/support/error_message.h"
 
 namespace cvo::reports {
 namespace {
@@ -164,13 +163,8 @@ TEST(Reference, FiguresOfASuiteAreListedBelowIt) {
 
 TEST(Reference, BadFilesNameTheField) {
   Reference reference;
-  const auto error = [&reference](const std::string& text) -> std::string {
-    try {
-      AddReference(text, "file", reference);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "";
+  const auto error = [&reference](const std::string& text) {
+    return ErrorMessage([&] { AddReference(text, "file", reference); });
   };
   EXPECT_THAT(error("{"), HasSubstr("file: found text that ends"));
   EXPECT_THAT(error(R"({"schema_version": 7, "kind": "reference"})"),

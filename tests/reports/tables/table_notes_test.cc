@@ -5,9 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "reports/formats/table_texts.h"
 #include "reports/tables/make_table.h"
+#include "reports/tables/table_texts.h"
 #include "tests/reports/results/result_files.h"
+#include "tests/support/error_message.h"
 
 namespace cvo::reports {
 namespace {
@@ -55,34 +56,12 @@ TEST_F(TableNotesTest, RowsWithAndWithoutACorrectionDoNotCompeteForBest) {
   EXPECT_EQ(marks(Make()), 1) << "ours among themselves";
 }
 
-// Results of schema 2 have a table of their own, and are refused beside present ones.
-TEST_F(TableNotesTest, ResultsOfSchema2AreNamed) {
-  const auto of_schema_2 = [](Json result) {
-    result["schema_version"] = 2;
-    for (Json& metric : result["metrics"]) {
-      metric["contract"] = {{"frame", "left camera"}, {"poses", "refined"}, {"truth", "devkit"}};
-    }
-    return result;
-  };
-  suite_.Add(of_schema_2(Result()));
-  const Table table = Make();
-  EXPECT_THAT(table.notes, testing::Contains(HasSubstr("1 of 1 results are of schema 2")));
-  EXPECT_FALSE(table.columns.empty());
-  suite_.Add(Result(), "full");
-  EXPECT_THAT([this] { Make(); },
-              testing::ThrowsMessage<Error>(HasSubstr("expected one contract in a table")));
-}
-
 TEST_F(TableNotesTest, FoldersOfOtherCorrectionsAreNotCompared) {
   suite_.Add(Result());
   SuiteResults corrected;
   corrected.Add(Corrected(Result()));
-  try {
-    CompareFolders(suite_.Written(), corrected.Written());
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("right_shift_px"));
-  }
+  EXPECT_THAT(ErrorMessage([&] { CompareFolders(suite_.Written(), corrected.Written()); }),
+              HasSubstr("right_shift_px"));
 }
 
 TEST_F(TableNotesTest, ReportsCorrectedCalibrations) {

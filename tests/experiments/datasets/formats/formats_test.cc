@@ -9,10 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
+#include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/object_boxes.h"
-#include "experiments/datasets/formats/oxts.h"
-#include "experiments/datasets/formats/timestamps.h"
-#include "experiments/datasets/frame_range.h"
+#include "experiments/datasets/sequence.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 

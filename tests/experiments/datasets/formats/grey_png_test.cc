@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/formats/grey_png.h"
-
 #include <gtest/gtest.h>
 #include <libdeflate.h>
 
@@ -10,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/files/images/image_codec.h"
-#include "experiments/datasets/formats/png.h"
+#include "core/files/images/image_file.h"
+#include "experiments/datasets/formats/image_format.h"
 
 namespace cvo {
 namespace {

@@ -73,7 +73,6 @@ TEST_F(SceneTruth, ReadsEveryFieldOfABody) {
   EXPECT_EQ(body.visible_box->right_px, 4);
   EXPECT_EQ(body.amodal_box->bottom_px, 6);
   EXPECT_FALSE(bodies[0][1].visible_box || bodies[0][1].amodal_box);
-  EXPECT_TRUE(IsMover(bodies, 1));
 }
 
 TEST_F(SceneTruth, AcceptsASceneWithoutBodies) {
@@ -154,27 +153,6 @@ TEST_F(SceneTruth, RefusesInvalidDepth) {
     test::WriteImageFile(path, depth);
     EXPECT_THAT(ErrorMessage([&] { ReadDepth(path, kSize); }), HasSubstr("pixel 5, 3"));
   }
-}
-
-TEST_F(SceneTruth, DecodesFlowInKittiFormat) {
-  cv::Mat coded(kSize, CV_16UC3, cv::Scalar::all(0));
-  coded.at<cv::Vec3w>(2, 3) = {1, 32768 - 32, 32768 + 96};
-  const fs::path path = folder_.path() / "0.png";
-  test::WriteImageFile(path, coded);
-  const TruthFlow flow = ReadFlow(path, kSize);
-  EXPECT_EQ(cv::countNonZero(flow.valid), 1);
-  EXPECT_EQ(flow.valid.at<unsigned char>(2, 3), 255);
-  EXPECT_EQ(flow.flow_px.at<cv::Vec2f>(2, 3), cv::Vec2f(1.5F, -0.5F));
-}
-
-TEST_F(SceneTruth, ReadsTargetCorners) {
-  const fs::path path = folder_.Write("targets.csv", "frame,corner,x,y,z\n0,0,0.1,0.2,1.5\n");
-  const std::vector<TargetCorner> corners = ReadTargetCorners(path);
-  ASSERT_EQ(corners.size(), 1U);
-  EXPECT_EQ(corners[0].p_in_left, Eigen::Vector3d(0.1, 0.2, 1.5));
-  folder_.Write("targets.csv", "frame,corner,x,y,z\n0,0,0.1,0.2,-1.5\n");
-  EXPECT_THAT(ErrorMessage([&] { ReadTargetCorners(path); }),
-              AllOf(HasSubstr("targets.csv:2"), HasSubstr("a positive depth")));
 }
 
 // A KITTI odometry folder with the files of a rendered scene beside its images.

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "experiments/datasets/load_image.h"
+#include "experiments/datasets/images.h"
 #include "tests/experiments/datasets/layouts/written_scene.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/body_truth.h"
-#include "experiments/datasets/formats/png.h"
+#include "experiments/datasets/formats/image_format.h"
 #include "tests/experiments/datasets/layouts/written_scene.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"

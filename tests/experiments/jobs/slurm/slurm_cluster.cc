@@ -13,12 +13,11 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <sstream>
 #include <thread>
 #include <utility>
 
 #include "core/base/error.h"
-#include "experiments/jobs/capture.h"
+#include "experiments/jobs/engine.h"
 
 namespace cvo::test {
 namespace fs = std::filesystem;
@@ -118,11 +117,6 @@ Daemon::~Daemon() {
   ::waitpid(pid_, nullptr, 0);
 }
 
-void Daemon::Await() {
-  ::waitpid(pid_, nullptr, 0);
-  pid_ = -1;
-}
-
 // The cluster sets SLURM_CONF only after this fork, so neither this process nor the guard has the
 // variable in its initial environment.
 SlurmGuard::SlurmGuard(const fs::path& config) {
@@ -163,7 +157,7 @@ SlurmCluster::SlurmCluster()
   WriteConfig();
   ::setenv("SLURM_CONF", (folder() / "slurm.conf").c_str(), 1);
   const std::string munge = (folder() / "munge").string();
-  munge_.push_back(
+  daemons_.push_back(
       Daemon({ProgramPath("munged"), "--foreground", "--force", "--key-file=" + munge + "/key",
               "--socket=" + munge + "/socket", "--pid-file=" + munge + "/pid",
               "--log-file=" + munge + "/log", "--seed-file=" + munge + "/seed"},
@@ -171,48 +165,18 @@ SlurmCluster::SlurmCluster()
   for (int i = 0; i < kTries && !fs::exists(munge + "/socket"); ++i) {
     std::this_thread::sleep_for(milliseconds(100));
   }
-  StartController();
-  StartNode();
+  daemons_.push_back(Daemon({ProgramPath("slurmctld"), "-D"}, folder() / "slurmctld.out"));
+  daemons_.push_back(Daemon({ProgramPath("slurmd"), "-D"}, folder() / "slurmd.out"));
   if (!WaitUntilReady()) missing_ = "Slurm does not come up: " + ReadFile(folder() / "slurmd.out");
 }
 
 SlurmCluster::~SlurmCluster() {
-  if (controller_.empty() || daemon_.empty()) return;
+  if (daemons_.empty()) return;
   Run({"scancel", StrCat("--user=", ::geteuid())});
   for (int i = 0; i < kTries; ++i) {
     const Captured queue = Run({"squeue", "--noheader"});
     if (queue.exit_code != 0 || queue.out.empty()) break;
     std::this_thread::sleep_for(milliseconds(100));
-  }
-}
-
-void SlurmCluster::StartController() {
-  controller_.push_back(Daemon({ProgramPath("slurmctld"), "-D"}, folder() / "slurmctld.out"));
-}
-
-void SlurmCluster::StopController() {
-  Printed({"scontrol", "shutdown", "slurmctld"});
-  for (Daemon& daemon : controller_) daemon.Await();
-  controller_.clear();
-}
-
-void SlurmCluster::KillController() { controller_.clear(); }
-
-void SlurmCluster::StartNode() {
-  daemon_.push_back(Daemon({ProgramPath("slurmd"), "-D"}, folder() / "slurmd.out"));
-}
-
-void SlurmCluster::KillNode() { daemon_.clear(); }
-
-void SlurmCluster::Repair() const {
-  const std::string state = Run({"sinfo", "--noheader", "--format=%T"}).out;
-  if (state.find("drain") != std::string::npos) {
-    Run({"scontrol", "update", "NodeName=" + node_, "State=RESUME"});
-  }
-  std::istringstream tasks(Run({"squeue", "--noheader", "--array", "--format=%F_%K %r"}).out);
-  for (std::string task; std::getline(tasks, task);) {
-    if (task.find("held") == std::string::npos) continue;
-    Run({"scontrol", "release", task.substr(0, task.find(' '))});
   }
 }
 

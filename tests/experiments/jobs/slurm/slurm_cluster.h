@@ -20,9 +20,6 @@ class Daemon {
   Daemon(Daemon&& other) noexcept;
   Daemon& operator=(Daemon&&) = delete;
 
-  // Waits until it exits by itself.
-  void Await();
-
  private:
   pid_t pid_ = -1;
 };
@@ -54,18 +51,6 @@ class SlurmCluster {
   const std::string& node() const { return node_; }
   const std::filesystem::path& folder() const { return folder_.path(); }
 
-  void StartController();
-  // StopController lets Slurm save its state first. After KillController, Slurm may not know which
-  // tasks it had started.
-  void StopController();
-  void KillController();
-  // The daemon of the node. Tasks that it has started continue without it.
-  void StartNode();
-  void KillNode();
-  // What an administrator does after a crash: puts a drained node back into service and releases
-  // held tasks.
-  void Repair() const;
-
  private:
   void WriteConfig() const;
   bool WaitUntilReady() const;
@@ -74,9 +59,7 @@ class SlurmCluster {
   SlurmGuard guard_;
   std::string node_;
   std::string missing_;
-  std::vector<Daemon> munge_;       // munged
-  std::vector<Daemon> controller_;  // slurmctld; empty while it is down
-  std::vector<Daemon> daemon_;      // slurmd; empty while it is down
+  std::vector<Daemon> daemons_;  // munged, slurmctld and slurmd
 };
 
 // Runs a program and returns its standard output. Throws Error if it fails.

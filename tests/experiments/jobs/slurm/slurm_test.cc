@@ -12,22 +12,22 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "experiments/jobs/child_process.h"
+#include "experiments/jobs/engine.h"
 #include "experiments/jobs/slurm/slurm_engine.h"
-#include "experiments/jobs/slurm/slurm_script.h"
+#include "tests/experiments/cli/process.h"
 #include "tests/experiments/jobs/slurm/slurm_cluster.h"
-#include "tests/experiments/jobs/wait_until.h"
 #include "tests/support/error_message.h"
 
-namespace cvo::test {
+namespace cvo::test::slurm_test {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
 
 // What the hooks received during one Run.
 struct EngineOutput {
@@ -61,7 +61,7 @@ class Programs {
   std::string path_;
 };
 
-class SlurmEngineTest : public ::testing::Test {
+class SlurmEngineTest : public testing::Test {
  protected:
   SlurmEngineTest() {
     fs::create_directory(folder_);
@@ -149,41 +149,6 @@ TEST_F(SlurmEngineTest, RunsMoreTasksThanAnArrayHolds) {
   EXPECT_TRUE(NothingLeft());
 }
 
-TEST_F(SlurmEngineTest, WaitsForADrainedNodeAndRequeuedTasks) {
-  std::vector<Task> tasks = {Shell("long", "[ $(wc -l <\"$1\") -gt 1 ] || sleep 60"),
-                             Shell("short", "true")};
-  options_.sbatch_flags = {"--cpus-per-task=8"};  // so the tasks run one after the other
-  EngineOutput output;
-  EngineHooks hooks = Hooks(tasks, output);
-  bool requeued = false;
-  bool waits = false;
-  bool resumed = false;
-  hooks.stop = [&] {
-    if (!requeued && Starts("long") == 1) {
-      requeued = true;
-      Printed({"scontrol", "update", "NodeName=" + cluster_.node(), "State=DRAIN", "Reason=test"});
-      Printed({"scontrol", "requeue", Job(output) + "_0"});
-    }
-    if (requeued && !waits &&
-        ::testing::Value(output.notices, Contains(HasSubstr("requeued by")))) {
-      waits = true;  // by default, Slurm restarts a requeued task only after two minutes
-      Printed({"scontrol", "update", "JobId=" + Job(output) + "_0", "StartTime=now"});
-    }
-    if (waits && !resumed && ::testing::Value(output.notices, Contains(HasSubstr("DRAINED")))) {
-      resumed = true;
-      Printed({"scontrol", "update", "NodeName=" + cluster_.node(), "State=RESUME"});
-    }
-    return false;
-  };
-  SlurmEngine(options_).Run(tasks, hooks);
-  EXPECT_TRUE(resumed);
-  EXPECT_EQ(Starts("long"), 2u);
-  EXPECT_EQ(Starts("short"), 1u);
-  ASSERT_EQ(output.ends["long"].size(), 1u);
-  EXPECT_TRUE(output.ends["long"].front().ok) << output.ends["long"].front().message;
-  EXPECT_TRUE(output.ends["short"].front().ok);
-}
-
 TEST_F(SlurmEngineTest, ATaskWithoutAnExitCodeFailsAlone) {
   const std::vector<Task> tasks = {Shell("cancelled", "sleep 60"), Shell("fine", "true"),
                                    Shell("lost", "kill -9 $PPID")};
@@ -204,39 +169,6 @@ TEST_F(SlurmEngineTest, ATaskWithoutAnExitCodeFailsAlone) {
   EXPECT_THAT(output.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
 }
 
-TEST_F(SlurmEngineTest, ATaskWritesItsEndWhenTheDiskIsNoLongerFull) {
-  const Programs programs("mv", R"sh(#!/bin/sh
-echo x >>"${0%/*}/calls"
-[ $(wc -l <"${0%/*}/calls") -gt 2 ] || exit 1
-exec /bin/mv "$@"
-)sh");
-  const EngineOutput output = RunAll({Shell("fine", "true")});
-  EXPECT_TRUE(output.ends.at("fine").front().ok);
-  EXPECT_EQ(LinesOf(programs.folder() / "calls"), 3u);
-}
-
-// As after a crash of the controller between the end of a task and the next save of its state.
-TEST_F(SlurmEngineTest, ATaskWhoseEndSlurmMissedIsCancelled) {
-  const std::vector<Task> tasks = {Shell("ended", "sleep 600"), Shell("fine", "sleep 2")};
-  EngineOutput output;
-  EngineHooks hooks = Hooks(tasks, output);
-  hooks.stop = [&] {
-    if (Starts("ended") == 0) return false;
-    for (const fs::directory_entry& array : fs::directory_iterator(options_.folder)) {
-      std::ofstream(array.path() / "end" / "0") << "0 100.0 101.5\n";
-    }
-    return false;
-  };
-  SlurmEngine(options_).Run(tasks, hooks);
-  ASSERT_EQ(output.ends.size(), 2u);
-  EXPECT_TRUE(output.ends["ended"].front().ok);
-  EXPECT_EQ(output.ends["ended"].front().seconds, 1.5);
-  EXPECT_TRUE(output.ends["fine"].front().ok);
-  EXPECT_THAT(output.notices, Contains(HasSubstr("but Slurm reports it as RUNNING: cancelled")));
-  EXPECT_TRUE(WaitUntil([] { return Printed({"squeue", "--noheader"}).empty(); }));
-  EXPECT_TRUE(NothingLeft());
-}
-
 TEST_F(SlurmEngineTest, ResumesTheTasksOfAKilledRunner) {
   const std::string wait = "for i in $(seq 300); do [ -e \"${1%/*}/go\" ] || sleep 0.1; done";
   std::vector<Task> tasks;
@@ -247,16 +179,14 @@ TEST_F(SlurmEngineTest, ResumesTheTasksOfAKilledRunner) {
   ::waitpid(runner, nullptr, 0);
   ASSERT_TRUE(started);
   tasks[1] = Shell("another", "true");  // as if the suite was edited: task1 is no longer requested
-  tasks[4].limit_s = 60.0;              // and task4 has other settings
   EngineOutput output;
   EngineHooks hooks = Hooks(tasks, output);
   hooks.stop = [&] {
     if (output.ends.contains("another")) std::ofstream(folder_ / "go") << "go";
     return false;
   };
+  hooks.keeps = [](const std::string& name) { return name != "task1"; };
   SlurmEngine engine(options_);
-  engine.KeepOnly({"another", "task0", "task2", "task3", "task4", "task5"}, hooks);
-  EXPECT_THAT(output.notices, ElementsAre(HasSubstr("cancelled tasks")));
   // Run in two parts: tasks not requested yet must be left alone.
   engine.Run(std::span(tasks).first(3), hooks);
   hooks.ended = [&](std::size_t task, const TaskEnd& end) {
@@ -267,10 +197,10 @@ TEST_F(SlurmEngineTest, ResumesTheTasksOfAKilledRunner) {
   for (const Task& task : tasks) {
     ASSERT_EQ(output.ends[task.name].size(), 1u) << task.name;
     EXPECT_TRUE(output.ends[task.name].front().ok) << output.ends[task.name].front().message;
-    EXPECT_EQ(Starts(task.name), task.name == "task4" ? 2u : 1u) << task.name;
+    EXPECT_EQ(Starts(task.name), 1u) << task.name;
   }
-  EXPECT_THAT(output.notices, Contains(HasSubstr("submitted by an earlier run")));
-  engine.KeepOnly({}, hooks);
+  EXPECT_THAT(output.notices, AllOf(Contains(HasSubstr("submitted by an earlier run")),
+                                    Contains(HasSubstr("cancelled tasks"))));
   EXPECT_TRUE(NothingLeft());
 }
 
@@ -284,62 +214,6 @@ TEST_F(SlurmEngineTest, StopCancelsAllTasks) {
   EXPECT_THAT(output.ends, IsEmpty());
   EXPECT_EQ(Printed({"squeue", "--noheader"}), "");
   EXPECT_TRUE(NothingLeft());
-}
-
-TEST_F(SlurmEngineTest, SurvivesARestartOfTheController) {
-  // A squeue that fails at once, as the real one retries for nine seconds by itself.
-  const Programs programs("squeue", R"sh(#!/bin/sh
-if scontrol ping | grep -q DOWN; then
-  echo "slurm_load_jobs error: Unable to contact slurm controller (connect failure)" >&2
-  exit 1
-fi
-exec /usr/bin/squeue "$@"
-)sh");
-  const std::vector<Task> tasks = {Shell("during", "sleep 0.5"), Shell("after", "sleep 4")};
-  EngineOutput output;
-  EngineHooks hooks = Hooks(tasks, output);
-  bool down = false;
-  bool back = false;
-  hooks.stop = [&] {
-    if (!down && Starts("during") + Starts("after") == 2) {
-      cluster_.StopController();
-      down = true;
-    }
-    if (!back && ::testing::Value(output.notices, Contains(HasSubstr("retrying")))) {
-      cluster_.StartController();
-      back = true;
-    }
-    return false;
-  };
-  SlurmEngine(options_).Run(tasks, hooks);
-  EXPECT_TRUE(output.ends.at("during").front().ok) << output.ends["during"].front().message;
-  EXPECT_TRUE(output.ends.at("after").front().ok) << output.ends["after"].front().message;
-  EXPECT_EQ(Starts("during"), 1u);
-  EXPECT_THAT(output.notices, Contains(HasSubstr("responds again")));
-}
-
-// Wraps the real sbatch and simulates a user who may have two tasks in the queue.
-constexpr const char* kLimitingSbatch = R"sh(#!/bin/sh
-for word; do case $word in --array=0-*) last=${word#--array=0-} ;; esac; done
-if [ $(($(squeue --noheader --array | wc -l) + last + 1)) -gt 2 ]; then
-  echo "sbatch: error: AssocMaxSubmitJobLimit" >&2
-  echo "sbatch: error: Batch job submission failed: Job violates accounting/QOS policy" >&2
-  exit 1
-fi
-exec /usr/bin/sbatch "$@"
-)sh";
-
-TEST_F(SlurmEngineTest, SubmitsNoMoreThanSlurmAccepts) {
-  // Tasks that this engine does not know, as if another user had submitted them.
-  Printed({"sbatch", "--array=0-1", "--output=/dev/null", "--wrap=sleep 2"});
-  const Programs programs("sbatch", kLimitingSbatch);
-  options_.full_s = 0.5;
-  std::vector<Task> tasks;
-  for (int i = 0; i < 5; ++i) tasks.push_back(Shell(StrCat("task", i), "true"));
-  const EngineOutput output = RunAll(tasks);
-  for (const Task& task : tasks) EXPECT_EQ(Starts(task.name), 1u) << task.name;
-  EXPECT_EQ(output.ends.size(), 5u);
-  EXPECT_THAT(output.notices, Contains(HasSubstr("accepts no more tasks")).Times(1));
 }
 
 TEST_F(SlurmEngineTest, APermanentRefusalIsAnError) {
@@ -372,4 +246,4 @@ TEST(SlurmOptions, RefusesFlagsOfSeveralWords) {
 }
 
 }  // namespace
-}  // namespace cvo::test
+}  // namespace cvo::test::slurm_test

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/kitti_ap/ap_files.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "experiments/metrics/kitti_ap/box_metrics.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::ap_files_test {

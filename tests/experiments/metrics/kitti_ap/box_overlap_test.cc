@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/kitti_ap/box_overlap.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "experiments/metrics/kitti_ap/average_precision.h"
 
 namespace cvo::box_overlap_test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "experiments/metrics/objects/clustering_metrics.h"
+#include "experiments/metrics/objects/object_scores.h"
 #include "tests/experiments/metrics/objects/object_world.h"
 #include "tests/support/error_message.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/metrics/alignment.h"
-#include "experiments/metrics/objects/object_metrics.h"
+#include "experiments/metrics/objects/object_scores.h"
 #include "tests/experiments/metrics/objects/object_world.h"
 
 namespace cvo::object_test {

@@ -10,7 +10,7 @@
 
 #include "core/base/rng.h"
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/objects/object_metrics.h"
+#include "experiments/metrics/objects/object_scores.h"
 
 namespace cvo::test {
 

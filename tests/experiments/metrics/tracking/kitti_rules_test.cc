@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/tracking/kitti_rules.h"
-
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "experiments/metrics/tracking/tracking_scores.h"
 
 namespace cvo::kitti_rules_test {
 namespace {

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// clustervo list: what the program knows by name.
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <variant>
+
+#include "core/base/error.h"
+#include "core/files/json/options_json.h"
+#include "core/interface/options.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/output_file.h"
+#include "experiments/cli/run/known_names.h"
+#include "experiments/cli/run/text_table.h"
+#include "experiments/suite/collection.h"
+#include "experiments/suite/job_input.h"
+#include "experiments/suite/shipped/shipped_suites.h"
+#include "experiments/suite/suite.h"
+#include "reports/results/metric_catalogue.h"
+#include "synth/family/family.h"
+#include "synth/scene/description.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+int ListVariants(bool json) {
+  if (json) {
+    Json list = Json::array();
+    for (const VariantInfo& variant : Variants()) {
+      list.push_back({{"name", variant.name}, {"changes", variant.changes}});
+    }
+    std::cout << DumpJson(list);
+    return 0;
+  }
+  TextTable table({"variant", "description"});
+  for (const VariantInfo& variant : Variants()) {
+    table.Add({std::string(variant.name), std::string(variant.changes)});
+  }
+  table.Print(std::cout);
+  return 0;
+}
+
+std::string Range(const OptionLeaf& leaf) {
+  if (std::holds_alternative<bool*>(leaf.value)) return "true, false";
+  return StrCat("[", leaf.info.min, ", ", leaf.info.max, "]");
+}
+
+std::string DefaultText(const OptionLeaf& leaf) {
+  std::string text = DumpJson(ValueToJson(leaf));
+  text.pop_back();  // the newline
+  return text;
+}
+
+Json LeafToJson(const OptionLeaf& leaf) {
+  return {{"path", leaf.path},
+          {"type", TypeName(leaf)},
+          {"unit", leaf.info.unit},
+          {"min", leaf.info.min},
+          {"max", leaf.info.max},
+          {"default", ValueToJson(leaf)},
+          {"meaning", leaf.info.meaning},
+          {"source", leaf.info.source}};
+}
+
+int ListOptions(bool json) {
+  Options options;
+  const std::vector<OptionLeaf> leaves = OptionLeaves(options);
+  if (json) {
+    Json list = Json::array();
+    for (const OptionLeaf& leaf : leaves) list.push_back(LeafToJson(leaf));
+    std::cout << DumpJson(list);
+    return 0;
+  }
+  TextTable table({"option", "default", "unit", "range"});
+  for (const OptionLeaf& leaf : leaves) {
+    table.Add({leaf.path, DefaultText(leaf), leaf.info.unit, Range(leaf)});
+  }
+  const std::vector<std::string> lines = table.Lines();
+  std::cout << lines.front() << '\n';
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    std::cout << lines[i + 1] << "\n    " << leaves[i].info.meaning << "  ["
+              << leaves[i].info.source << "]\n";
+  }
+  return 0;
+}
+
+int ListSuites() {
+  TextTable table({"suite", "split", "sequences", "variants", "points", "seeds", "jobs", "about"});
+  for (const ShippedSuite& shipped : ShippedSuites()) {
+    // Skips the checks of suites, which would build every scene.
+    const Suite suite = ReadCheckedSuite(ParseJson(shipped.text, shipped.name), shipped.name);
+    const std::size_t points =
+        GridPoints(suite, suite.sequences.front(), suite.variants.front()).size() *
+        suite.oracles.size();
+    table.Add({suite.name, SplitOf(suite), std::to_string(suite.sequences.size()),
+               std::to_string(suite.variants.size()), std::to_string(points),
+               std::to_string(suite.seeds.size()), std::to_string(ExpandSuite(suite).size()),
+               suite.about});
+  }
+  for (const std::string& name : CollectionNames()) {
+    table.Add({name, "", "", "", "", "", "", FindCollection(name)->about});
+  }
+  table.Print(std::cout);
+  return 0;
+}
+
+// Whether a body moves. Parked cars are on a route with speed 0.
+bool Moves(const synth::PathDescription& path) {
+  if (const auto* route = std::get_if<synth::RouteDescription>(&path)) {
+    return std::any_of(route->speed.begin(), route->speed.end(),
+                       [](const auto& knot) { return knot.speed_mps > 0.0; });
+  }
+  return std::holds_alternative<synth::SwingDescription>(path);
+}
+
+std::ptrdiff_t CountMovers(const synth::SceneParts& parts) {
+  return std::count_if(parts.objects.begin(), parts.objects.end(),
+                       [](const synth::ObjectDescription& object) { return Moves(object.path); });
+}
+
+int ListScenes() {
+  TextTable table({"scene", "frames", "rate", "size", "movers", "about"});
+  for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
+    const auto scene = synth::SceneDescription::Load(shipped.name, {});
+    const synth::SceneParts& parts = scene.parts();
+    table.Add({scene.name(), std::to_string(parts.frames), ReadableNumber(parts.rate_hz) + " Hz",
+               StrCat(parts.rig.width_px, "x", parts.rig.height_px),
+               std::to_string(CountMovers(parts)), scene.about()});
+  }
+  table.Print(std::cout);
+  std::cout << '\n';
+  TextTable families({"family", "knobs", "about"});
+  for (const synth::ShippedFamily& shipped : synth::ShippedFamilies()) {
+    const synth::Family family = synth::LoadFamily(shipped.name);
+    families.Add({family.name, std::to_string(family.knobs.size()), family.about});
+  }
+  families.Print(std::cout);
+  return 0;
+}
+
+int ListKnobs(const std::string& name) {
+  const synth::Family family = LoadNamed(name, [&] { return synth::LoadFamily(name); });
+  TextTable table({"knob", "unit", "drawn from", "may be set to", "about"});
+  for (const synth::Knob& knob : family.knobs) {
+    table.Add({knob.name, knob.unit, knob.draw.dump(), Json(knob.may).dump(),
+               knob.about + (knob.per_body ? " (drawn for each body)" : "")});
+  }
+  table.Print(std::cout);
+  return 0;
+}
+
+int ListMetrics(bool json) {
+  Json list = Json::array();
+  TextTable table({"metric", "unit", "meaning"});
+  for (const std::string& name : reports::AllMetricNames()) {
+    const reports::MetricEntry* entry = reports::FindEntry(name);
+    const std::string unit = NameOf(entry->unit);
+    list.push_back({{"name", name},
+                    {"unit", unit},
+                    {"higher_is_better", entry->higher_is_better()},
+                    {"meaning", entry->meaning}});
+    table.Add({name, unit, entry->meaning});
+  }
+  if (json) {
+    std::cout << DumpJson(list);
+  } else {
+    table.Print(std::cout);
+  }
+  return 0;
+}
+
+int List(const std::string& what, const std::string& family, bool json) {
+  if (!family.empty() && what != "scenes") throw UsageError("FAMILY: applies to scenes");
+  if (what == "variants") return ListVariants(json);
+  if (what == "options") return ListOptions(json);
+  if (what == "metrics") return ListMetrics(json);
+  if (json) throw UsageError("--json: applies to variants, options and metrics");
+  if (what == "suites") return ListSuites();
+  return family.empty() ? ListScenes() : ListKnobs(family);
+}
+
+}  // namespace
+
+Command AddListCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "list", "List variants, options, metrics, suites, or scenes and families of scenes");
+  const auto what = std::make_shared<std::string>();
+  const auto family = std::make_shared<std::string>();
+  const auto json = std::make_shared<bool>(false);
+  app->add_option("WHAT", *what, "variants, options, metrics, suites or scenes")
+      ->type_name("")
+      ->required()
+      ->check(OneOf({"variants", "options", "metrics", "suites", "scenes"}));
+  app->add_option("FAMILY", *family,
+                  "with scenes: a family or a JSON file, of which to list the knobs")
+      ->type_name("");
+  app->add_flag("--json", *json, "print JSON (variants, options and metrics)");
+  app->footer(
+      "Change options with clustervo run ... --set window.spatial=5, or with --config FILE.json:\n"
+      "  {\"window\": {\"spatial\": 5}}");
+  return {app, [what, family, json] { return List(*what, *family, *json); }};
+}
+
+}  // namespace cvo

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "experiments/datasets/sequence.h"
+
+namespace cvo {
+
+// The image files of both cameras of a pair, in frame order, and their common size.
+struct StereoImages {
+  std::vector<StereoPaths> paths;
+  int width_px = 0;
+  int height_px = 0;
+};
+
+// What precedes and follows the number in the names of numbered files.
+struct NumberedName {
+  std::string prefix = {};
+  std::string extension = ".png";
+};
+
+// Lists the numbered images of both folders and checks that they are numbered 0, 1, ... without
+// gaps, that there are equally many on both sides, and that all have the same size. Throws Error
+// otherwise.
+StereoImages ListStereoImages(const std::filesystem::path& left_folder,
+                              const std::filesystem::path& right_folder,
+                              const NumberedName& name = {});
+
+// Checks from the headers that the images exist, have 8 bits per channel and are all of the same
+// size. Throws Error otherwise.
+StereoImages CheckedImages(std::vector<StereoPaths> paths);
+
+// Returns the files <prefix><number><extension> of a folder, sorted by number. The numbers must be
+// 0, 1, ... without gaps. Throws Error that lists the missing files.
+std::vector<std::filesystem::path> ListNumberedFiles(const std::filesystem::path& folder,
+                                                     const NumberedName& name);
+
+struct LoadedImage {
+  cv::Mat grey;         // CV_8UC1; empty if there is a problem
+  std::string sha256;   // of the file's bytes; empty if they cannot be read
+  std::string problem;  // "<path>: found ..., expected ..."; empty if there is none
+
+  bool ok() const { return problem.empty(); }
+};
+
+// Reads, hashes and decodes a PNG or JPEG file; colour is converted to grey (0.299 R + 0.587 G +
+// 0.114 B). A missing, damaged or truncated file is reported as the result's `problem`, so that the
+// caller can skip the frame.
+[[nodiscard]] LoadedImage LoadGrey(const std::filesystem::path& path);
+
+// Loads the left (0) or right (1) image of a frame, and rectifies it if the files of the sequence
+// are not rectified. An image whose size differs from the camera's is reported as a problem too.
+[[nodiscard]] LoadedImage LoadFrameImage(const Sequence& sequence, std::size_t index, int side);
+
+}  // namespace cvo

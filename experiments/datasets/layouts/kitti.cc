@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+
+// KITTI odometry: <sequences>/<number>/{image_0..3/,times.txt,calib.txt}, poses in
+// <sequences>/../poses/<number>.txt or <sequences>/poses/<number>.txt. Our synthetic scenes have
+// their poses in poses.txt beside the images, with labels.txt and detections/<level>.txt.
+//
+// KITTI raw, synced and rectified: <date>/<drive>_sync/{image_00..03,oxts}/{data/,timestamps.txt}
+// and <date>/calib_*.txt.
+//
+// KITTI tracking: <training>/{image_02,image_03}/<number>/ and one file per sequence in
+// <training>/{calib,oxts,label_02}/<number>.txt. A sequence is addressed as <training>/<number> or
+// <training>/image_02/<number>.
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text_file.h"
+#include "experiments/datasets/formats/data_rows.h"
+#include "experiments/datasets/images.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/datasets/sequence_parts.h"
+#include "experiments/metrics/trajectory.h"
+
+namespace cvo {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path FindPoses(const fs::path& folder) {
+  const fs::path parent = folder.parent_path();
+  const fs::path below = fs::path("poses") / (folder.filename().string() + ".txt");
+  for (const fs::path& file :
+       {folder / "poses.txt", parent / below, parent.parent_path() / below}) {
+    if (fs::exists(file)) return file;
+  }
+  return {};
+}
+
+// The file contains the poses of camera 0, relative to its first frame.
+void AddOdometryTruth(Sequence& sequence) {
+  const fs::path path = FindPoses(sequence.folder);
+  if (path.empty()) {
+    sequence.missing.emplace_back("poses: no ground truth of the camera");
+    return;
+  }
+  const std::vector<RigidTransform> poses = ReadKittiPoses(path);
+  sequence.other_files.push_back(path);
+  const std::size_t frames = sequence.images.size();
+  if (poses.size() > frames) {
+    ThrowError(StrCat(path.string(), ":", frames + 1), StrCat(poses.size(), " poses"),
+               StrCat(frames, ", as many as images"));
+  }
+  if (poses.size() < frames) {
+    sequence.missing.push_back(StrCat(path.string(), ": poses of the last ", frames - poses.size(),
+                                      " of ", frames, " frames"));
+  }
+  std::vector<std::optional<RigidTransform>> truth(poses.begin(), poses.end());
+  truth.resize(frames);
+  AddOxtsTruth(truth, RigidTransform(), sequence);
+  sequence.groundtruth = "official";
+}
+
+// Replaces the name of a level of detections by the folder's own file of this level.
+SequenceRequest WithLevel(const SequenceRequest& request) {
+  SequenceRequest resolved = request;
+  const fs::path own = request.folder / "detections" / (request.detections_file.string() + ".txt");
+  if (!request.detections_file.empty() && !fs::exists(request.detections_file) &&
+      fs::is_regular_file(own)) {
+    resolved.detections_file = own;
+  }
+  return resolved;
+}
+
+bool KnowsOdometry(const fs::path& folder) {
+  return IsFolder(folder / "image_0") || IsFolder(folder / "image_1") ||
+         IsFolder(folder / "image_2") || IsFolder(folder / "image_3");
+}
+
+bool OdometryHasImages(const fs::path& folder) {
+  return AreFolders(folder / "image_0", folder / "image_1") ||
+         AreFolders(folder / "image_2", folder / "image_3");
+}
+
+Sequence ReadKittiOdometry(const SequenceRequest& request) {
+  RequireDevkitTruth(request, "KITTI odometry comes with one set of poses");
+  Sequence sequence;
+  sequence.folder = request.folder;
+  sequence.name = request.folder.filename().string();
+  const auto images = [&](const char* image) { return request.folder / image; };
+  const CameraPair pair =
+      ChoosePair(request, {{"grey", 0, 1, images("image_0"), images("image_1")},
+                           {"colour", 2, 3, images("image_2"), images("image_3")}});
+
+  const CalibrationFile calibration(request.folder / "calib.txt");
+  const CameraRig rig(calibration, "P");
+  sequence.other_files.push_back(calibration.path());
+  AddImages(pair, rig, sequence);
+
+  const fs::path times_file = request.folder / "times.txt";
+  AddTimes(times_file, ReadSecondsTimes(times_file), sequence);
+  AddOdometryTruth(sequence);
+  const fs::path bodies = request.folder / "objects.csv";
+  if (fs::exists(bodies)) sequence.other_files.push_back(bodies);
+  const fs::path labels = request.folder / "labels.txt";
+  AddBoxes(WithLevel(request),
+           {.file = fs::exists(labels) ? labels : fs::path(), .camera = pair.left}, rig, pair.left,
+           sequence);
+  return sequence;
+}
+
+using ImuTruth = std::vector<std::optional<RigidTransform>>;
+
+std::string DriveName(const fs::path& folder) {
+  std::string name = folder.filename().string();
+  if (name.ends_with("_extract")) {
+    ThrowError(folder.string(), "an unrectified drive (_extract)", "a rectified one (_sync)");
+  }
+  constexpr std::string_view kSuffix = "_sync";
+  if (name.ends_with(kSuffix)) name.resize(name.size() - kSuffix.size());
+  return name;
+}
+
+void CheckRectifiedSize(const CalibrationFile& file, int camera, const StereoCamera& image) {
+  const std::string key = StrCat("S_rect_0", camera);
+  if (!file.Has(key)) return;
+  const std::vector<double> size = file.Numbers(key, 2);
+  if (size[0] == image.width_px && size[1] == image.height_px) return;
+  ThrowError(file.Where(key), StrCat(size[0], "x", size[1], " pixels"),
+             StrCat(image.width_px, "x", image.height_px, ", the size of the images"));
+}
+
+RigidTransform ReadSplitTransform(const fs::path& path) {
+  const CalibrationFile file(path);
+  const std::vector<double> t = file.Numbers("T", 3);
+  return {file.Rotation("R"), Eigen::Vector3d(t[0], t[1], t[2])};
+}
+
+RigidTransform ReadCamera0FromImu(const fs::path& date_folder, const CalibrationFile& cameras,
+                                  Sequence& sequence) {
+  const fs::path velo_to_cam = date_folder / "calib_velo_to_cam.txt";
+  const fs::path imu_to_velo = date_folder / "calib_imu_to_velo.txt";
+  sequence.other_files.push_back(velo_to_cam);
+  sequence.other_files.push_back(imu_to_velo);
+  const RigidTransform rectification(cameras.Rotation("R_rect_00"), Eigen::Vector3d::Zero());
+  return rectification * ReadSplitTransform(velo_to_cam) * ReadSplitTransform(imu_to_velo);
+}
+
+// Takes packet i as the ground truth of image i.
+ImuTruth DevkitTruth(const std::vector<RigidTransform>& poses, const fs::path& oxts_data,
+                     const Sequence& sequence) {
+  if (poses.size() != sequence.images.size()) {
+    ThrowError(oxts_data.string(), StrCat(poses.size(), " packets"),
+               StrCat(sequence.images.size(), ", as many as images"));
+  }
+  return {poses.begin(), poses.end()};
+}
+
+ImuTruth InterpolatedTruth(const std::vector<RigidTransform>& poses, const fs::path& oxts_folder,
+                           Sequence& sequence) {
+  const fs::path times_file = oxts_folder / "timestamps.txt";
+  const std::vector<std::int64_t> times_ns = ReadDateTimes(times_file);
+  sequence.other_files.push_back(times_file);
+  if (times_ns.size() != poses.size()) {
+    ThrowError(times_file.string(), StrCat(times_ns.size(), " times"),
+               StrCat(poses.size(), ", as many as packets in ", (oxts_folder / "data").string()));
+  }
+  Trajectory packets;
+  for (std::size_t i = 0; i < poses.size(); ++i) packets.push_back({times_ns[i], poses[i]});
+  ImuTruth truth;
+  for (const std::int64_t time_ns : sequence.timestamps_ns) {
+    truth.push_back(InterpolatePose(packets, time_ns));
+  }
+  const auto outside =
+      std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !pose; });
+  if (outside > 0) {
+    sequence.missing.push_back(StrCat("oxts: no ground truth for ", outside, " of ", truth.size(),
+                                      " images, taken before the first or after the last packet"));
+  }
+  return truth;
+}
+
+void AddRawTruth(const SequenceRequest& request, const fs::path& date_folder,
+                 const CalibrationFile& cameras, Sequence& sequence) {
+  const bool interpolated = request.groundtruth == "interpolated";
+  if (!interpolated && request.groundtruth != "devkit") {
+    ThrowError(
+        "option --groundtruth",
+        Quoted(request.groundtruth) + DidYouMean(request.groundtruth, {"devkit", "interpolated"}),
+        "devkit or interpolated");
+  }
+  const fs::path oxts_folder = sequence.folder / "oxts";
+  if (!fs::exists(oxts_folder) && !interpolated) {
+    sequence.missing.emplace_back("oxts: no ground truth of the camera");
+    return;
+  }
+  std::vector<OxtsPacket> packets;
+  for (const fs::path& path : ListNumberedFiles(oxts_folder / "data", {"", ".txt"})) {
+    packets.push_back(ReadOxtsPacket(path));
+    sequence.other_files.push_back(path);
+  }
+  const std::vector<RigidTransform> poses = ImuPoses(packets);
+  const ImuTruth truth = interpolated ? InterpolatedTruth(poses, oxts_folder, sequence)
+                                      : DevkitTruth(poses, oxts_folder / "data", sequence);
+  AddOxtsTruth(truth, ReadCamera0FromImu(date_folder, cameras, sequence), sequence);
+  sequence.groundtruth = request.groundtruth;
+}
+
+bool KnowsRaw(const fs::path& folder) {
+  return IsFolder(folder / "image_00/data") || IsFolder(folder / "image_01/data") ||
+         IsFolder(folder / "image_02/data") || IsFolder(folder / "image_03/data");
+}
+
+bool RawHasImages(const fs::path& folder) {
+  return AreFolders(folder / "image_00/data", folder / "image_01/data") ||
+         AreFolders(folder / "image_02/data", folder / "image_03/data");
+}
+
+Sequence ReadKittiRaw(const SequenceRequest& request) {
+  Sequence sequence;
+  sequence.folder = request.folder;
+  sequence.name = DriveName(request.folder);
+  const auto data = [&](const char* image) { return request.folder / image / "data"; };
+  const CameraPair pair =
+      ChoosePair(request, {{"grey", 0, 1, data("image_00"), data("image_01")},
+                           {"colour", 2, 3, data("image_02"), data("image_03")}});
+
+  const fs::path date_folder = request.folder.parent_path();
+  const CalibrationFile cameras(date_folder / "calib_cam_to_cam.txt");
+  const CameraRig rig(cameras, "P_rect_0");
+  sequence.other_files.push_back(cameras.path());
+  AddImages(pair, rig, sequence);
+  CheckRectifiedSize(cameras, pair.left, sequence.camera);
+
+  const fs::path times_file = pair.left_folder.parent_path() / "timestamps.txt";
+  AddTimes(times_file, ReadDateTimes(times_file), sequence);
+  AddRawTruth(request, date_folder, cameras, sequence);
+  AddBoxes(request, {.file = {}, .camera = 2}, rig, pair.left, sequence);
+  return sequence;
+}
+
+// Returns "tracking_0005", or "tracking_testing_0005" for the test set, which uses the same
+// numbers.
+std::string SequenceName(const fs::path& set_folder, const std::string& number) {
+  return (set_folder.filename() == "testing" ? "tracking_testing_" : "tracking_") + number;
+}
+
+RigidTransform ReadCamera0FromImu(const CalibrationFile& file) {
+  const RigidTransform rectification(file.Rotation(file.FirstOf({"R0_rect", "R_rect"})),
+                                     Eigen::Vector3d::Zero());
+  return rectification * file.Transform(file.FirstOf({"Tr_velo_to_cam", "Tr_velo_cam"})) *
+         file.Transform(file.FirstOf({"Tr_imu_to_velo", "Tr_imu_velo"}));
+}
+
+void AddTrackingTruth(const fs::path& oxts_file, const CalibrationFile& calibration,
+                      Sequence& sequence) {
+  if (!fs::exists(oxts_file)) {
+    sequence.missing.push_back(oxts_file.string() + ": no ground truth of the camera");
+    return;
+  }
+  const std::vector<RigidTransform> poses = ImuPoses(ReadOxtsPackets(oxts_file));
+  if (poses.size() != sequence.images.size()) {
+    ThrowError(oxts_file.string(), StrCat(poses.size(), " packets"),
+               StrCat(sequence.images.size(), ", as many as images"));
+  }
+  sequence.other_files.push_back(oxts_file);
+  AddOxtsTruth({poses.begin(), poses.end()}, ReadCamera0FromImu(calibration), sequence);
+  sequence.groundtruth = "devkit";
+}
+
+// Returns the folder of the set, for <training>/<number> as well as <training>/image_02/<number>.
+fs::path SetFolder(const fs::path& folder) {
+  const fs::path parent = folder.parent_path();
+  return parent.filename().string().starts_with("image_0") ? parent.parent_path() : parent;
+}
+
+bool TrackingHasImages(const fs::path& folder) {
+  const fs::path set_folder = SetFolder(folder);
+  return AreFolders(set_folder / "image_02" / folder.filename(),
+                    set_folder / "image_03" / folder.filename());
+}
+
+bool KnowsTracking(const fs::path& folder) {
+  const std::string number = folder.filename().string();
+  if (number.empty() || number.find_first_not_of("0123456789") != std::string::npos) return false;
+  const fs::path set_folder = SetFolder(folder);
+  return IsTrackingSet(set_folder) && (IsFolder(set_folder / "image_02" / number) ||
+                                       fs::exists(set_folder / "calib" / (number + ".txt")));
+}
+
+Sequence ReadKittiTracking(const SequenceRequest& request) {
+  RequireDevkitTruth(request, "KITTI tracking has no timestamps to interpolate at");
+  const std::string number = request.folder.filename().string();
+  const fs::path set_folder = SetFolder(request.folder);
+  Sequence sequence;
+  sequence.folder = set_folder / number;
+  sequence.name = SequenceName(set_folder, number);
+  const CameraPair pair = ChoosePair(request, {{"colour", 2, 3, set_folder / "image_02" / number,
+                                                set_folder / "image_03" / number}});
+
+  const CalibrationFile calibration(set_folder / "calib" / (number + ".txt"));
+  const CameraRig rig(calibration, "P");
+  sequence.other_files.push_back(calibration.path());
+  AddImages(pair, rig, sequence);
+  sequence.timestamps_ns = NominalTimes(sequence.images.size());
+  sequence.is_rate_assumed = true;
+  AddTrackingTruth(set_folder / "oxts" / (number + ".txt"), calibration, sequence);
+
+  LabelSource labels = {set_folder / "label_02" / (number + ".txt"), 2};
+  if (!fs::exists(labels.file)) {
+    if (request.labels_file.empty())
+      sequence.missing.push_back(labels.file.string() + ": no labels");
+    labels.file.clear();
+  }
+  AddBoxes(request, labels, rig, pair.left, sequence);
+  return sequence;
+}
+
+}  // namespace
+
+SequenceLayout KittiOdometryLayout() {
+  return {kKittiOdometry, "image_0, times.txt", KnowsOdometry, OdometryHasImages,
+          ReadKittiOdometry};
+}
+
+SequenceLayout KittiRawLayout() {
+  return {"kitti-raw", "image_00/data, oxts", KnowsRaw, RawHasImages, ReadKittiRaw};
+}
+
+SequenceLayout KittiTrackingLayout() {
+  return {"kitti-tracking", "<training>/<number>", KnowsTracking, TrackingHasImages,
+          ReadKittiTracking};
+}
+
+}  // namespace cvo

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/datasets/sequence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+
+#include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text/number.h"
+#include "core/files/text_file.h"
+#include "experiments/calibration/stereo_rig.h"
+#include "experiments/datasets/sequence_parts.h"
+
+namespace cvo {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kWhere = "--frames";
+
+// Returns `if_empty` for an empty text.
+int ParseFrame(std::string_view text, int if_empty, const std::string& whole) {
+  if (text.empty()) return if_empty;
+  const std::optional<std::int64_t> value = ParseInteger(text);
+  if (!value || *value < 0 || *value > std::numeric_limits<int>::max()) {
+    ThrowError(kWhere, "\"" + whole + "\"", "A:B, A: or :B with frame numbers from 0 on");
+  }
+  return static_cast<int>(*value);
+}
+
+bool IsNumber(const std::string& name) {
+  return !name.empty() && name.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// Returns the folders in `folder`, sorted; none if it cannot be read.
+std::vector<fs::path> SubFolders(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    if (IsFolder(entry.path())) folders.push_back(entry.path());
+  }
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+const SequenceLayout* LayoutOf(const fs::path& folder) {
+  for (const SequenceLayout& layout : SequenceLayouts()) {
+    if (layout.knows(folder)) return &layout;
+  }
+  return nullptr;
+}
+
+// Visits each folder once, so that cycles of symbolic links end.
+void Collect(const fs::path& folder, std::set<fs::path>& visited,
+             std::vector<FoundSequence>& found) {
+  std::error_code error;
+  if (!visited.insert(fs::weakly_canonical(folder, error)).second) return;
+  if (const SequenceLayout* layout = LayoutOf(folder)) {
+    if (layout->has_images(folder)) found.push_back({folder, layout->type});
+    return;
+  }
+  if (IsTrackingSet(folder)) {
+    for (const fs::path& number : TrackingSequences(folder)) {
+      const SequenceLayout* layout = LayoutOf(number);
+      if (layout != nullptr && layout->has_images(number)) found.push_back({number, layout->type});
+    }
+    return;
+  }
+  for (const fs::path& child : SubFolders(folder)) {
+    if (!child.filename().string().starts_with('.')) Collect(child, visited, found);
+  }
+}
+
+constexpr const char* kKittiDataSet = "kitti";
+constexpr const char* kOtherDataSet = "other";
+
+struct Projection {
+  double focal_px, cx_px, cy_px;
+};
+
+// The rectified cameras of KITTI's five recording days (2011_09_26, 28, 29, 30 and 10_03). The
+// odometry, tracking, object and stereo benchmarks are parts of these recordings and have the same
+// intrinsics.
+constexpr std::array<Projection, 5> kKittiDays = {{{721.5377, 609.5593, 172.8540},
+                                                   {707.0493, 604.0814, 180.5066},
+                                                   {718.3351, 600.3891, 181.5122},
+                                                   {707.0912, 601.8873, 183.1104},
+                                                   {718.8560, 607.1928, 185.2157}}};
+
+// The baselines of the grey and the colour pair are both 0.53 to 0.54 m.
+bool IsKittiRig(const StereoCamera& camera) {
+  const auto near = [](double a, double b, double tolerance) {
+    return std::abs(a - b) <= tolerance;
+  };
+  constexpr double kDigits_px = 1e-4;
+  return near(camera.baseline_m, 0.535, 0.01) &&
+         std::any_of(kKittiDays.begin(), kKittiDays.end(), [&](const Projection& day) {
+           return near(camera.fx, day.focal_px, kDigits_px) &&
+                  near(camera.fy, day.focal_px, kDigits_px) &&
+                  near(camera.cx, day.cx_px, kDigits_px) && near(camera.cy, day.cy_px, kDigits_px);
+         });
+}
+
+// Returns Sequence::dataset: the one that was named, else the one whose calibration the sequence
+// has. Folder names do not count. Throws Error for an unknown name.
+std::string DataSetOf(const Sequence& sequence, const std::string& named) {
+  if (named == kKittiDataSet || named == kOtherDataSet) return named;
+  if (!named.empty()) {
+    ThrowError("option --dataset",
+               Quoted(named) + DidYouMean(named, {kKittiDataSet, kOtherDataSet}),
+               StrCat(kKittiDataSet, " or ", kOtherDataSet));
+  }
+  // A rendered scene, or images of the user's own, may have been given KITTI's camera.
+  const bool made =
+      fs::exists(sequence.folder / "scene.json") || fs::exists(sequence.folder / "import.json");
+  return !made && IsKittiRig(sequence.camera) ? kKittiDataSet : kOtherDataSet;
+}
+
+void RefuseSeveral(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return;
+  const std::vector<FoundSequence> found = FindSequences(folder);
+  if (found.empty()) return;
+  ThrowError(folder.string(), StrCat("a folder that contains ", Counted(found.size(), "sequence")),
+             StrCat("one of them: `clustervo info ", folder.string(), "` lists them"));
+}
+
+std::string TypeOf(const SequenceRequest& request) {
+  if (!request.type.empty()) return request.type;
+  const fs::path& folder = request.folder;
+  const std::string type = DetectSequenceType(folder);
+  if (!type.empty()) return type;
+  if (IsTrackingSet(folder)) {
+    const std::vector<fs::path> sequences = TrackingSequences(folder);
+    ThrowError(folder.string(), "a folder of several KITTI tracking sequences",
+               sequences.empty() ? "one with images"
+                                 : StrCat("one of them, such as ", sequences.front().string()));
+  }
+  RefuseSeveral(folder);
+  const std::string found = fs::is_directory(folder) ? "a folder of no known type"
+                            : fs::exists(folder)     ? "a file"
+                                                     : "no such folder";
+  ThrowError(folder.string(), found,
+             "the folder of a sequence: " + Joined(SequenceLayouts(), ", ", &SequenceLayout::type));
+}
+
+const SequenceLayout& LayoutOfType(const std::string& type) {
+  for (const SequenceLayout& layout : SequenceLayouts()) {
+    if (layout.type == type) return layout;
+  }
+  std::vector<std::string> types;
+  for (const SequenceLayout& layout : SequenceLayouts()) types.push_back(layout.type);
+  ThrowError("option --type", Quoted(type) + DidYouMean(type, types), Joined(types, ", "));
+}
+
+void CheckSettings(const Json& given, const SequenceLayout& layout) {
+  std::vector<std::string> known;
+  for (const auto& [key, value] : layout.settings.items()) known.push_back(key);
+  for (const auto& [key, value] : given.items()) {
+    if (layout.settings.contains(key)) continue;
+    ThrowError("layout settings", "key " + Quoted(key) + DidYouMean(key, known),
+               known.empty() ? "none for " + layout.type
+                             : "keys of " + layout.settings.dump() + " for " + layout.type);
+  }
+}
+
+}  // namespace
+
+FrameRange ParseFrameRange(std::string_view text) {
+  const std::string whole(text);
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) {
+    ThrowError(kWhere, "\"" + whole + "\"", "A:B, A: or :B with frame numbers from 0 on");
+  }
+  const FrameRange range = {ParseFrame(text.substr(0, colon), 0, whole),
+                            ParseFrame(text.substr(colon + 1), -1, whole)};
+  if (range.end >= 0 && range.end <= range.begin) {
+    ThrowError(kWhere, "\"" + whole + "\", an empty range", "A:B with A < B");
+  }
+  return range;
+}
+
+FrameRange ResolveFrameRange(const FrameRange& range, int total) {
+  const FrameRange resolved = {range.begin, range.end == -1 ? total : range.end};
+  if (resolved.begin < 0 || resolved.begin >= resolved.end || resolved.end > total) {
+    ThrowError(kWhere, StrCat(range.begin, ":", range.end == -1 ? "" : std::to_string(range.end)),
+               StrCat("a range A:B with 0 <= A < B <= ", total, ", the frames of the sequence"));
+  }
+  return resolved;
+}
+
+const std::vector<SequenceLayout>& SequenceLayouts() {
+  static const std::vector<SequenceLayout> layouts = {
+      ClusterslamLayout(), EurocLayout(),         KittiOdometryLayout(),
+      KittiRawLayout(),    KittiTrackingLayout(), OxfordMultimotionLayout(),
+      VirtualKittiLayout()};
+  return layouts;
+}
+
+bool IsFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+bool AreFolders(const fs::path& left, const fs::path& right) {
+  return IsFolder(left) && IsFolder(right);
+}
+
+bool HasImages(const fs::path& folder) {
+  const SequenceLayout* layout = LayoutOf(folder);
+  return layout != nullptr && layout->has_images(folder);
+}
+
+bool IsTrackingSet(const fs::path& folder) {
+  if (!IsFolder(folder / "calib")) return false;
+  return IsFolder(folder / "image_02") || IsFolder(folder / "image_03");
+}
+
+std::vector<fs::path> TrackingSequences(const fs::path& set_folder) {
+  std::vector<fs::path> sequences;
+  for (const fs::path& images : SubFolders(set_folder / "image_02")) {
+    if (IsNumber(images.filename().string())) sequences.push_back(set_folder / images.filename());
+  }
+  return sequences;
+}
+
+std::string DetectSequenceType(const fs::path& folder) {
+  const SequenceLayout* layout = LayoutOf(folder);
+  return layout == nullptr ? "" : layout->type;
+}
+
+std::vector<FoundSequence> FindSequences(const fs::path& root) {
+  const fs::path folder = NormalFolder(root);
+  std::vector<FoundSequence> found;
+  std::set<fs::path> visited;
+  Collect(folder, visited, found);
+  if (found.empty() && !fs::exists(folder)) {
+    ThrowError(root.string(), "no such folder", "a folder to look for sequences in");
+  }
+  std::sort(found.begin(), found.end(),
+            [](const FoundSequence& a, const FoundSequence& b) { return a.folder < b.folder; });
+  return found;
+}
+
+fs::path NormalFolder(const fs::path& folder) {
+  fs::path normal = folder.lexically_normal();
+  if (!normal.has_filename()) normal = normal.parent_path();
+  const bool named = normal.has_filename() && normal.filename() != "." && normal.filename() != "..";
+  if (named && normal.has_parent_path()) return normal;
+  normal = fs::absolute(folder).lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+Sequence OpenSequence(const SequenceRequest& request) try {
+  SequenceRequest resolved = request;
+  resolved.folder = NormalFolder(request.folder);
+  resolved.type = TypeOf(resolved);
+  const SequenceLayout& layout = LayoutOfType(resolved.type);
+  CheckSettings(resolved.layout, layout);
+  Sequence sequence = layout.read(resolved);
+  sequence.type = resolved.type;
+  sequence.layout = resolved.layout;
+  sequence.box_sources = {resolved.labels_file, resolved.detections_file,
+                          resolved.detections_camera, resolved.min_score};
+  sequence.dataset = DataSetOf(sequence, resolved.dataset);
+  // KITTI names its odometry sequences by number only.
+  if (sequence.type == kKittiOdometry && sequence.dataset == kKittiDataSet) {
+    sequence.name.insert(0, "odometry_");
+  }
+  sequence.camera.right_shift_px = request.right_shift_px.value_or(0.0);
+  if (sequence.groundtruth.empty()) sequence.groundtruth = "none";
+  sequence.groundtruth_world_from_camera.resize(sequence.images.size());
+  CheckCamera(sequence.camera, sequence.folder.string() + ", calibration");
+  CutFrames(resolved, sequence);
+  PerturbSequence(resolved.perturbation, sequence);
+  return sequence;
+} catch (const fs::filesystem_error& error) {
+  ThrowError(error.path1().string(), error.code().message(), "a folder or file that can be read");
+}
+
+}  // namespace cvo

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cvo::reports {
+
+// A chart as plain data, and the function that writes it as SVG. Texts are plain; they are escaped
+// when they are written. A coordinate that is not finite is a gap.
+
+enum class Symbol {
+  kNone,
+  kCircle,
+  kSquare,
+  kDiamond,
+  kTriangleUp,
+  kPlus,
+  kTriangleDown,
+  kPentagon,
+  kHexagon,
+  kOpenTriangle,
+  kCross
+};
+
+// How a mark looks.
+struct Look {
+  int colour = 1;  // 1 to kChartColours of the palette; 0: the grey of truth and references
+  Symbol symbol = Symbol::kNone;
+  int dash = 0;        // 0: solid; 1: dashes; 2: dash and dot; 3: long dashes; 4: dots
+  double width = 1.0;  // of lines (pt)
+  double opacity = 1.0;
+};
+
+inline constexpr int kChartColours = 8;
+
+struct ValueRange {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+// A value of a series. On a category axis, category i is at coordinate i.
+struct Datum {
+  double x = 0.0;
+  double y = 0.0;
+  std::string tip = {};                       // tooltip of this value; empty: that of its series
+  std::string text = {};                      // drawn beside a point
+  std::optional<ValueRange> x_interval = {};  // whisker
+  std::optional<ValueRange> y_interval = {};  // whisker, or the height of a band
+  double base = 0.0;                          // where a bar begins
+};
+
+enum class SeriesKind {
+  kLine,    // through the data, with the symbol of its look at each of them
+  kBand,    // area between the ends of the y intervals
+  kPoints,  // symbols with whiskers; over a category axis: the rows of a forest plot
+  kBars     // from `base` to the value, with whiskers; horizontal if y is the category axis
+};
+
+struct Series {
+  SeriesKind kind = SeriesKind::kLine;
+  std::string name;  // in the legend, once per chart; empty: not in the legend
+  Look look;
+  std::vector<Datum> data;
+  std::string tip = {};    // tooltip of the whole series; empty: its name
+  double bar_width = 0.8;  // in categories
+};
+
+// A cell of a heat map over two category axes.
+struct HeatCell {
+  int column = 0;
+  int row = 0;
+  double value = 0.0;  // -1 (blue) to 1 (orange)
+  std::string text;
+  std::string tip;
+  bool bold = false;
+};
+
+// A region behind the data from the bottom of the panel to its top.
+using Shade = ValueRange;
+
+// A straight line across the panel at one x (or y), with a text at its end.
+struct Rule {
+  double at = 0.0;
+  bool vertical = true;
+  std::string text = {};
+};
+
+// A text beside a place of the panel.
+struct Note {
+  double x = 0.0;
+  double y = 0.0;
+  std::string text;
+  bool left = false;   // of the place; otherwise right of it
+  bool below = false;  // otherwise above it
+};
+
+enum class AxisScale { kLinear, kLog, kCategory };
+
+struct Axis {
+  std::string title;
+  AxisScale scale = AxisScale::kLinear;
+  std::vector<std::string> categories = {};  // kCategory: y from top to bottom
+  std::vector<double> ticks = {};            // empty: chosen for the range
+  std::optional<double> low = {};            // end of the range; empty: from the data
+  std::optional<double> high = {};
+  bool from_zero = false;  // the range begins at 0 if there is nothing below
+};
+
+// One system of axes.
+struct Panel {
+  std::string title;  // above its left corner
+  Axis x;
+  Axis y;
+  std::vector<Series> series = {};  // later ones cover earlier ones
+  std::vector<HeatCell> cells = {};
+  std::vector<Shade> shades = {};
+  std::vector<Rule> rules = {};
+  std::vector<Note> notes = {};
+  double aspect = 0.25;      // height / width; not of a panel with categories on y
+  double row_height = 1.7;   // of a category on y, in font sizes
+  bool equal_scale = false;  // one unit is as long on y as on x; `aspect` is then a limit
+};
+
+struct Chart {
+  std::string title;    // drawn above in bold if not empty, the first sentence alone
+  std::string caption;  // drawn below if not empty
+  std::vector<Panel> panels;
+  int columns = 1;       // panels are laid out row by row
+  bool share_x = false;  // panels with the same x title have the same range, labelled once a column
+  bool share_y = false;  // the same for y, labelled in the first column
+  double width = 1.0;    // as a part of ChartStyle::width_mm
+};
+
+struct ChartStyle {
+  double width_mm = 170.0;
+  std::string font = "Liberation Sans, Arial, Helvetica, sans-serif";
+  double font_size_pt = 8.0;
+  bool css = true;  // false: the page has ChartCss in its own style
+};
+
+// An <svg> element, alone a file that is right on white paper. It has no ids, and its classes begin
+// with "chart". Colours follow these CSS variables where a page sets them, on the page or a parent:
+// --chart-ink, --chart-grid, --chart-paper, --chart-truth, --chart-less and --chart-more (heat
+// maps), --chart-1 to --chart-8. The same chart and style give the same bytes.
+std::string ChartSvg(const Chart& chart, const ChartStyle& style = {});
+
+// The rules of the classes, for a page with several charts.
+std::string ChartCss();
+
+// A forest plot: one row per estimate with its interval, and a line at `reference`.
+struct ForestRow {
+  std::string label;
+  double value = 0.0;
+  std::optional<ValueRange> interval = {};
+  Look look = {1, Symbol::kSquare};
+  std::string tip = {};
+};
+Panel ForestPanel(const std::string& x_title, const std::vector<ForestRow>& rows,
+                  std::optional<double> reference);
+
+}  // namespace cvo::reports

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/overlays/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+
+namespace cvo::reports {
+namespace {
+
+constexpr int kFractionBits = 4;  // of pixel coordinates
+constexpr double kFraction = 1 << kFractionBits;
+
+cv::Point Fixed(cv::Point2d point) {
+  return {static_cast<int>(std::lround(point.x * kFraction)),
+          static_cast<int>(std::lround(point.y * kFraction))};
+}
+
+// The part of a segment in the image or near it, so that later steps meet no huge coordinates.
+std::optional<Segment> Clip(const Segment& segment, cv::Size image) {
+  constexpr double kMargin_px = 50.0;
+  const bool finite = std::isfinite(segment.first.x + segment.first.y) &&
+                      std::isfinite(segment.second.x + segment.second.y);
+  if (!finite) return std::nullopt;
+  const auto fixed = [](double pixel) {
+    return static_cast<std::int64_t>(
+        std::llround((std::clamp(pixel, -1e9, 1e9) + kMargin_px) * kFraction));
+  };
+  const auto back = [](const cv::Point2l& point) {
+    return cv::Point2d(static_cast<double>(point.x) / kFraction - kMargin_px,
+                       static_cast<double>(point.y) / kFraction - kMargin_px);
+  };
+  cv::Point2l a(fixed(segment.first.x), fixed(segment.first.y));
+  cv::Point2l b(fixed(segment.second.x), fixed(segment.second.y));
+  const cv::Size2l size(fixed(image.width + kMargin_px), fixed(image.height + kMargin_px));
+  if (!cv::clipLine(size, a, b)) return std::nullopt;
+  return Segment{back(a), back(b)};
+}
+
+std::vector<Segment> Dashes(const Segment& segment, double dash_px) {
+  const cv::Point2d step = segment.second - segment.first;
+  const double length_px = std::hypot(step.x, step.y);
+  if (!(length_px > dash_px)) return {segment};
+  std::vector<Segment> dashes;
+  for (double begin_px = 0.0; begin_px < length_px; begin_px += 1.8 * dash_px) {
+    const double end_px = std::min(begin_px + dash_px, length_px);
+    dashes.emplace_back(segment.first + begin_px / length_px * step,
+                        segment.first + end_px / length_px * step);
+  }
+  return dashes;
+}
+
+}  // namespace
+
+cv::Scalar Bgr(Rgb color) { return {double(color.blue), double(color.green), double(color.red)}; }
+
+Font::Font(int text_px)
+    : scale(text_px / 21.0), thickness(std::max(1, text_px / 8)), gap_px(text_px / 3 + 1) {}
+
+cv::Size Font::SizeOf(const std::string& text) const {
+  int below_px = 0;
+  const cv::Size size =
+      cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, scale, thickness, &below_px);
+  return {size.width + 2 * gap_px, size.height + 2 * gap_px};
+}
+
+void DrawStrokes(const std::vector<Stroke>& strokes, cv::Mat& image) {
+  for (const bool rim : {true, false}) {
+    for (const Stroke& stroke : strokes) {
+      const std::optional<Segment> seen = Clip(stroke.segment, image.size());
+      if (!seen) continue;
+      const int width_px = stroke.width_px + (rim ? 2 : 0);
+      for (const auto& [a, b] : stroke.dashed ? Dashes(*seen, 4.0 + 2.0 * stroke.width_px)
+                                              : std::vector<Segment>{*seen}) {
+        cv::line(image, Fixed(a), Fixed(b), Bgr(rim ? kDark : stroke.color), width_px, cv::LINE_AA,
+                 kFractionBits);
+      }
+    }
+  }
+}
+
+void DrawDisc(cv::Point2d center, double radius_px, Rgb color, cv::Mat& image) {
+  // Written so that NaN is outside, too.
+  const bool inside = center.x > -radius_px && center.y > -radius_px &&
+                      center.x < image.cols + radius_px && center.y < image.rows + radius_px;
+  if (!inside) return;
+  cv::circle(image, Fixed(center), static_cast<int>(std::lround(radius_px * kFraction)), Bgr(color),
+             cv::FILLED, cv::LINE_AA, kFractionBits);
+}
+
+void AddTail(const std::vector<Segment>& path, Rgb color, int width_px,
+             std::vector<Stroke>& strokes) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const double share = static_cast<double>(i + 1) / static_cast<double>(path.size());
+    strokes.push_back({path[i], color, 1 + static_cast<int>(share * width_px)});
+  }
+}
+
+void DrawText(const std::string& text, cv::Point top_left, const Font& font, Rgb color,
+              cv::Mat& image) {
+  const cv::Size size = font.SizeOf(text);
+  cv::putText(image, text, top_left + cv::Point(font.gap_px, size.height - font.gap_px),
+              cv::FONT_HERSHEY_SIMPLEX, font.scale, Bgr(color), font.thickness, cv::LINE_AA);
+}
+
+void DrawPlate(const std::string& text, cv::Point top_left, int text_px, Rgb fill, cv::Mat& image) {
+  const Font font(text_px);
+  const cv::Size size = font.SizeOf(text);
+  const cv::Point at(std::clamp(top_left.x, 0, std::max(0, image.cols - size.width)),
+                     std::clamp(top_left.y, 0, std::max(0, image.rows - size.height)));
+  cv::rectangle(image, cv::Rect(at, size), Bgr(fill), cv::FILLED);
+  const double luma = 0.299 * fill.red + 0.587 * fill.green + 0.114 * fill.blue;
+  DrawText(text, at, font, luma > 115.0 ? Rgb{0, 0, 0} : kWhite, image);
+}
+
+}  // namespace cvo::reports

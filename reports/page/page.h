@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// The page about the results of a suite: what it shows, and its HTML.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/figures/suite_figures.h"
+#include "reports/tables/table.h"
+
+namespace cvo::reports {
+
+// A name and a value, both for readers.
+using Fact = std::pair<std::string, std::string>;
+
+// A job of the suite, and what produced its result.
+struct PageRun {
+  SuiteRun run;
+  std::vector<Fact> build;           // commit, compiler, versions
+  std::vector<Fact> machine;         // host, processor
+  std::vector<std::string> missing;  // files that cannot be read, and why
+};
+
+// A drawn left image.
+struct PageImage {
+  int frame = 0;  // number in the folder of the sequence
+  std::string jpeg;
+  std::string alt;  // what the picture shows, in words
+};
+
+// A run that is shown frame by frame.
+struct PageScene {
+  std::size_t run = 0;  // index in PageContent::runs
+  bool wants_images = false;
+  RunDetail detail = {};
+  std::vector<PageImage> images = {};
+  std::string no_images = {};      // why there are none
+  std::string images_folder = {};  // folder beside the page with images of all frames; empty: none
+};
+
+// Everything that a page shows. A part that could not be made is empty, and `problems` says why.
+struct PageContent {
+  std::string title;
+  std::string about;
+  std::optional<Table> table;
+  std::optional<Table> comparison;
+  std::string compared_with;   // name of the folder compared with
+  std::vector<PageRun> runs;   // in the order of the plan
+  std::vector<Fact> variants;  // variants of the suite, each with its meaning
+  SuiteFigures drawing;
+  std::vector<PageScene> scenes;
+  std::size_t scenes_left_out = 0;
+  std::vector<std::string> problems;
+};
+
+struct PageRequest {
+  std::filesystem::path folder;   // output folder of a suite
+  std::filesystem::path against;  // output folder to compare with; empty: none
+  std::string default_options;    // nested JSON; empty: unknown
+  std::vector<Fact> variants;     // all variants, each with its meaning
+  bool images_of_all = false;     // for all runs shown, not only for one per sequence
+};
+
+// Reads whatever can be read from the folder. Throws Error only if it holds no plan.json.
+PageContent ReadPage(const PageRequest& request);
+
+// Chooses at most `most` runs to be shown frame by frame: per sequence the lowest seed of each
+// estimator, those with images first. Images are shown for one estimator per sequence: `full`, else
+// the reference of the table, else the first one of the sequence. If there are more than `most`
+// runs, failures come first: those with the smallest share of frames of moving bodies within 10 cm.
+void ChooseScenes(std::size_t most, PageContent& content);
+
+// One self-contained page, which needs no network. The same content gives the same bytes. All
+// statements are in its HTML; its script only sorts, unfolds and moves through frames.
+std::string PageHtml(const PageContent& content);
+
+}  // namespace cvo::reports

@@ -1,0 +1,400 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "reports/tables/table_texts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/text/number.h"
+#include "core/files/text/utf8.h"
+#include "reports/results/metric_catalogue.h"
+
+namespace cvo::reports {
+namespace {
+
+constexpr int kMaxDecimals = 9;
+
+// Returns the number of decimals that shows the given significant digits of a nonzero value.
+int Significant(double value, int digits) {
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0,
+                    kMaxDecimals);
+}
+
+int ByUnit(double value, const std::string& unit) {
+  if (unit == kCountUnit) return value == std::floor(value) ? 0 : 2;
+  if (unit == "m" || unit == "rad") return std::abs(value) < 0.01 && value != 0.0 ? 5 : 4;
+  if (unit == "%") return 2;
+  if (unit == "1" || value == 0.0) return 3;
+  return Significant(value, 4);
+}
+
+// Returns the magnitude that determines the number of digits: that of the value or, if it is 0, of
+// its interval.
+double Magnitude(const Measured& figure) {
+  if (figure.value != 0.0 || !figure.interval) return figure.value;
+  return std::max(std::abs(figure.interval->low), std::abs(figure.interval->high));
+}
+
+// Returns the decimals that follow from the interval; empty if it does not determine them. A
+// relatively narrower one is of equal values up to rounding.
+std::optional<int> ByInterval(const Measured& figure) {
+  constexpr double kNoWidth = 1e-9;
+  if (!figure.interval) return std::nullopt;
+  const double half = 0.5 * (figure.interval->high - figure.interval->low);
+  const double magnitude = Magnitude(figure);
+  if (!(half > kNoWidth * std::abs(magnitude)) || !std::isfinite(half)) return std::nullopt;
+  if (magnitude == 0.0) return Significant(half, 2);
+  return std::clamp(Significant(half, 2), Significant(magnitude, 2), Significant(magnitude, 4));
+}
+
+std::string RangeText(const Interval& interval, int decimals) {
+  return Fixed(interval.low, decimals) + ".." + Fixed(interval.high, decimals);
+}
+
+std::string FrameRange(int first, int count) { return StrCat(first, ":", first + count); }
+
+bool ShowsSequences(const Table& table) {
+  return std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
+}
+
+// Older results do not state the split.
+bool ShowsSplits(const Table& table) {
+  return std::any_of(table.rows.begin(), table.rows.end(),
+                     [](const Row& row) { return !row.split.empty(); });
+}
+
+std::vector<std::string> AllPrintable(std::vector<std::string> lines) {
+  for (std::string& line : lines) line = Printable(line);
+  return lines;
+}
+
+std::vector<std::string> TextHeader(const Table& table) {
+  std::vector<std::string> header = table.keys;
+  if (ShowsSequences(table)) header.insert(header.end(), {"frames", "truth"});
+  if (ShowsSplits(table)) header.emplace_back("split");
+  header.emplace_back("runs");
+  return AllPrintable(header);
+}
+
+// The truth is shown by its name, without the definition of visibility.
+std::vector<std::string> ResultTexts(const Row& row, const Table& table) {
+  std::vector<std::string> texts = row.keys;
+  if (ShowsSequences(table)) {
+    texts.push_back(row.sequence ? FrameRange(row.sequence->first_frame, row.sequence->frames)
+                                 : "-");
+    texts.emplace_back(row.truth.truth ? NameOf(*row.truth.truth) : "-");
+  }
+  if (ShowsSplits(table)) texts.push_back(row.split);
+  texts.push_back(StrCat(row.jobs.done, "/", row.jobs.planned));
+  return AllPrintable(texts);
+}
+
+// The units that an interval resamples: "4 scenes" or, for a single scene, "11 bodies" or "5 runs".
+std::string UnitsText(const Counts& n) {
+  if (n.scenes > 1) return Counted(n.scenes, "scene");
+  return n.bodies > 0 ? Counted(n.bodies, "body", "bodies") : Counted(n.runs, "run");
+}
+
+CellText ValueText(const Cell& cell, int decimals) {
+  CellText text;
+  text.value = "-";
+  if (!cell.present) {
+    text.note = Printable(cell.message);
+    return text;
+  }
+  text.value = Fixed(cell.value, decimals);
+  if (cell.interval) text.interval = RangeText(*cell.interval, decimals);
+  text.n = CountsText(cell.n);
+  text.units = UnitsText(cell.n);
+  text.distinguishable = cell.difference && cell.difference->distinguishable;
+  text.grey = !cell.not_comparable.empty();
+  if (text.grey) text.note = Printable("defined differently: " + cell.not_comparable);
+  return text;
+}
+
+// Formats a published figure as it was printed.
+CellText ReferenceText(const std::optional<ReferenceCell>& cell) {
+  CellText text;
+  if (!cell) return text;
+  text.value = FormatGeneral(cell->value, 6);
+  text.grey = cell->match != Match::kMatches;
+  text.note = Printable(cell->reason);
+  if (text.grey && text.note.empty()) text.note = NameOf(cell->match);
+  if (cell->match == Match::kContractUnknown && !cell->reason.empty()) {
+    text.note = "contract " + text.note;
+  }
+  return text;
+}
+
+TextLine ReferenceLine(const ReferenceRow& line, const Table& table) {
+  TextLine texts;
+  texts.texts.resize(TextHeader(table).size());
+  const auto variant = std::find(table.keys.begin(), table.keys.end(), "variant");
+  const auto at = variant == table.keys.end() ? 0 : variant - table.keys.begin();
+  texts.texts[static_cast<std::size_t>(at)] =
+      Printable(line.system) + " " + SourceMark(line.source);
+  if (line.frames > 0 && ShowsSequences(table)) {
+    texts.texts[table.keys.size()] = FrameRange(line.first_frame, line.frames);
+  }
+  texts.grey = true;
+  for (const auto& cell : line.cells) {
+    texts.cells.push_back(ReferenceText(cell));
+    if (cell && cell->match == Match::kMatches) texts.grey = false;
+  }
+  return texts;
+}
+
+// The difference and its percentage have the sign of the row's value minus the reference's.
+CellText DifferenceText(const std::optional<Difference>& difference, int decimals) {
+  CellText text;
+  if (!difference) return text;
+  const auto with_sign = [](const std::string& number) {
+    return number[0] != '-' ? "+" + number : number;
+  };
+  text.value = with_sign(Fixed(difference->difference, decimals));
+  if (difference->interval) text.interval = RangeText(*difference->interval, decimals);
+  if (difference->percent) text.percent = with_sign(Fixed(*difference->percent, 1)) + "%";
+  if (difference->percent_interval) {
+    text.percent_interval = RangeText(*difference->percent_interval, 0) + "%";
+  }
+  text.n = Counted(difference->pairs, "pair");
+  text.units = text.n;
+  text.distinguishable = difference->distinguishable;
+  return text;
+}
+
+std::string UnitForDigits(const Column& column) {
+  const MetricEntry* rule = FindEntry(column.metric);
+  return rule && rule->kind == MetricKind::kCount ? kCountUnit : column.unit;
+}
+
+// Returns the decimals of the value of each row; those that are comparable share theirs, and so do
+// those that are not. `most`: of those that are comparable.
+std::vector<int> ValueDecimals(const Table& table, std::size_t column, int& most) {
+  std::vector<int> decimals(table.rows.size());
+  most = 0;
+  for (const bool comparable : {false, true}) {
+    std::vector<Measured> figures;
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      const Cell& cell = table.rows[i].cells[column];
+      if (!cell.present || cell.not_comparable.empty() != comparable) continue;
+      figures.push_back({cell.value, cell.interval});
+      rows.push_back(i);
+    }
+    const std::vector<int> found = ColumnDecimals(figures, UnitForDigits(table.columns[column]));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      decimals[rows[i]] = found[i];
+      if (comparable) most = std::max(most, found[i]);
+    }
+  }
+  return decimals;
+}
+
+// Differences have as many decimals as the values, and one more if their interval supports it. The
+// decimals that a difference close to 0 would get by itself would be noise.
+void AddColumn(const Table& table, std::size_t column, std::vector<TextLine>& values,
+               std::vector<TextLine>& differences) {
+  std::vector<Measured> figures;
+  for (const Row& row : table.rows) {
+    const auto& difference = row.cells[column].difference;
+    if (difference) figures.push_back({difference->difference, difference->interval});
+  }
+  int most = 0;
+  const std::vector<int> decimals = ValueDecimals(table, column, most);
+  const std::vector<int> own = ColumnDecimals(figures, UnitForDigits(table.columns[column]));
+  auto next = own.begin();
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const Cell& cell = table.rows[i].cells[column];
+    values[i].cells.push_back(ValueText(cell, decimals[i]));
+    const int digits = cell.difference ? std::clamp(*next++, most, most + 1) : 0;
+    differences[i].cells.push_back(DifferenceText(cell.difference, digits));
+  }
+}
+
+// Adds the values, and the differences if there are any, without rows that have none, such as the
+// reference itself.
+void AddBlocks(const Table& table, TableTexts& texts) {
+  std::vector<TextLine> values;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    values.push_back({i, std::nullopt, ResultTexts(table.rows[i], table), {}, false});
+  }
+  std::vector<TextLine> differences = values;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) AddColumn(table, i, values, differences);
+  TextBlock& block = texts.blocks.emplace_back();
+  const auto add_references = [&](const std::vector<ReferenceRow>& rows,
+                                  std::optional<std::size_t> below) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      block.lines.push_back(ReferenceLine(rows[i], table));
+      block.lines.back().row = below;
+      block.lines.back().reference = i;
+    }
+  };
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    block.lines.push_back(std::move(values[i]));
+    add_references(table.rows[i].reference, i);
+  }
+  add_references(table.others, std::nullopt);
+  std::erase_if(differences, [](const TextLine& line) {
+    return std::all_of(line.cells.begin(), line.cells.end(),
+                       [](const CellText& cell) { return cell.value.empty(); });
+  });
+  if (differences.empty()) return;
+  const std::string reference = Printable(table.reference);
+  texts.blocks.push_back({StrCat("difference from ", reference,
+                                 " (paired): value, 95 % interval, and percent of ", reference),
+                          std::move(differences)});
+}
+
+// Whether the coverage that the metric must be read with is 0. Such a row cannot be best, for
+// example for having no identity switches.
+bool HasZeroCoverage(const Row& row, const ColumnText& column) {
+  return column.coverage && row.cells[*column.coverage].present &&
+         row.cells[*column.coverage].value == 0.0;
+}
+
+// Marks all that print the same as the best of a column. Nothing is marked if all print the same or
+// the lines cover different scenes.
+bool MarkColumn(const Table& table, const std::vector<TextLine*>& lines, std::size_t column,
+                const ColumnText& text) {
+  const MetricEntry* rule = FindEntry(table.columns[column].metric);
+  std::vector<std::pair<double, CellText*>> candidates;
+  std::optional<std::set<std::string>> scenes;
+  for (TextLine* line : lines) {
+    const Row& row = table.rows[*line->row];
+    CellText& cell_text = line->cells[column];
+    if (line->reference) {
+      const auto& theirs = row.reference[*line->reference].cells[column];
+      if (theirs && !cell_text.grey) candidates.emplace_back(theirs->value, &cell_text);
+      continue;
+    }
+    const Cell& cell = row.cells[column];
+    if (!cell.present || cell_text.grey || HasZeroCoverage(row, text)) continue;
+    std::set<std::string> covered;
+    for (const std::size_t run : cell.runs) covered.insert(row.runs[run].sequence);
+    if (scenes && *scenes != covered) return false;
+    scenes = std::move(covered);
+    candidates.emplace_back(cell.value, &cell_text);
+  }
+  if (rule == nullptr || candidates.size() < 2) return false;
+  const auto best =
+      std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
+        return rule->higher_is_better() ? a.first > b.first : a.first < b.first;
+      });
+  const std::string shown = best->second->value;
+  const auto is_best = [&](const auto& candidate) { return candidate.second->value == shown; };
+  if (std::all_of(candidates.begin(), candidates.end(), is_best)) return false;
+  for (const auto& candidate : candidates) {
+    if (is_best(candidate)) candidate.second->best = true;
+  }
+  return true;
+}
+
+bool SameFrames(const Row& a, const Row& b) {
+  return a.sequence && b.sequence && a.sequence->name == b.sequence->name &&
+         a.sequence->pair == b.sequence->pair &&
+         a.sequence->first_frame == b.sequence->first_frame &&
+         a.sequence->frames == b.sequence->frames && a.truth == b.truth;
+}
+
+// Marks the best cells of each column among lines on the same data: the same sequence, detections
+// and scene options, if the keys distinguish these, and the same correction of the calibration.
+// Published figures that are comparable with them compete too.
+void MarkBest(const Table& table, TableTexts& texts) {
+  std::vector<TextLine>& lines = texts.blocks[0].lines;
+  std::map<std::vector<std::string>, std::vector<TextLine*>> groups;
+  for (TextLine& line : lines) {
+    if (!line.row || line.reference) continue;
+    const Row& row = table.rows[*line.row];
+    std::vector<std::string> data = {row.corrections};
+    for (std::size_t i = 0; i < table.keys.size(); ++i) {
+      const std::string& key = table.keys[i];
+      if (key == "sequence" || key == "family" || key == "detections" ||
+          key.starts_with("scene.")) {
+        data.push_back(row.keys[i]);
+      }
+    }
+    groups[data].push_back(&line);
+  }
+  for (auto& [data, group] : groups) {
+    const Row& ours = table.rows[*group[0]->row];
+    for (TextLine& line : lines) {
+      if (line.row && line.reference && SameFrames(table.rows[*line.row], ours)) {
+        group.push_back(&line);
+      }
+    }
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      if (MarkColumn(table, group, i, texts.columns[i])) texts.any_best = true;
+    }
+  }
+}
+
+std::vector<ColumnText> ColumnTexts(const Table& table) {
+  std::vector<ColumnText> columns;
+  for (const Column& column : table.columns) {
+    const std::string coverage = CoverageOf(column.metric);
+    const Column* found = FindBy(table.columns, &Column::metric, coverage);
+    columns.push_back(
+        {Printable(column.label), column.unit == "1" ? "" : Printable(column.unit), {}});
+    if (found == nullptr || coverage == column.metric) continue;
+    columns.back().coverage = static_cast<std::size_t>(found - table.columns.data());
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<int> ColumnDecimals(const std::vector<Measured>& figures, const std::string& unit) {
+  std::optional<int> most;
+  for (const Measured& figure : figures) {
+    if (const std::optional<int> own = ByInterval(figure)) most = std::max(most.value_or(0), *own);
+  }
+  std::vector<int> decimals;
+  for (const Measured& figure : figures) {
+    const bool alone = !figure.interval || !most;
+    const double magnitude = Magnitude(figure);
+    const int limit = magnitude == 0.0 ? kMaxDecimals : Significant(magnitude, 4);
+    decimals.push_back(alone ? ByUnit(figure.value, unit)
+                             : std::max(ByInterval(figure).value_or(0), std::min(*most, limit)));
+  }
+  return decimals;
+}
+
+std::string Fixed(double value, int decimals) {
+  std::string fixed = FormatFixed(value, decimals);
+  if (fixed[0] == '-' && fixed.find_first_not_of("-0.") == std::string::npos) fixed.erase(0, 1);
+  return fixed;
+}
+
+std::string CellText::Shown() const {
+  return grey && !value.empty() ? StrCat("(", value, ")") : value;
+}
+
+std::string ColumnText::Heading() const {
+  return unit.empty() ? label : StrCat(label, " [", unit, "]");
+}
+
+TableTexts MakeTexts(const Table& table) {
+  TableTexts texts;
+  texts.title = Printable(table.title);
+  texts.about = Printable(table.about);
+  texts.text_header = TextHeader(table);
+  texts.columns = ColumnTexts(table);
+  AddBlocks(table, texts);
+  MarkBest(table, texts);
+  texts.footnotes = AllPrintable(Footnotes(table));
+  texts.definitions = AllPrintable(Definitions(table));
+  return texts;
+}
+
+std::string BestNote(const std::string& mark) {
+  return mark +
+         ": best value of the column among rows on the same data, whether or not the difference is "
+         "significant";
+}
+
+}  // namespace cvo::reports

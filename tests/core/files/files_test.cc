@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <functional>
+
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/text_file.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo::files_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> Names(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string Problem(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// While this object exists, writing a file beyond the limit fails with EFBIG, as it does with
+// ENOSPC on a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) {
+    old_handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    getrlimit(RLIMIT_FSIZE, &old_limit_);
+    const rlimit limit{bytes, old_limit_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &old_limit_);
+    std::signal(SIGXFSZ, old_handler_);
+  }
+
+ private:
+  rlimit old_limit_{};
+  void (*old_handler_)(int) = nullptr;
+};
+
+TEST(WriteFilesAtomically, WritesAndReplaces) {
+  const test::TempFolder folder;
+  folder.Write("a.json", "old");
+  const std::string large(3'000'000, 'x');
+  WriteFilesAtomically(folder.path(), {{"a.json", "new"}, {"b.txt", large}, {"c.txt", ""}});
+  EXPECT_EQ(test::ReadFile(folder.path() / "a.json"), "new");
+  EXPECT_EQ(test::ReadFile(folder.path() / "b.txt"), large);
+  EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "b.txt", "c.txt"));
+}
+
+TEST(StagedFile, AppendsAndAppearsWithTheOthers) {
+  const test::TempFolder folder;
+  StagedFile(folder.path() / "lost.csv").Append("1\n");
+  EXPECT_THAT(Names(folder.path()), IsEmpty());
+  StagedFile rows(folder.path() / "rows.csv");
+  rows.Append("1\n");
+  rows.Append("2\n");
+  StagedFiles files(folder.path());
+  files.Add(std::move(rows));
+  files.Add("a.json", "new");
+  EXPECT_TRUE(files.Has("rows.csv"));
+  EXPECT_FALSE(files.Has("b.json"));
+  EXPECT_FALSE(fs::exists(folder.path() / "a.json"));
+  files.Publish();
+  EXPECT_EQ(test::ReadFile(folder.path() / "rows.csv"), "1\n2\n");
+  EXPECT_THAT(Names(folder.path()), ElementsAre("a.json", "rows.csv"));
+}
+
+TEST(StagedFile, ConcatenatesAnyNumberOfParts) {
+  const test::TempFolder folder;
+  std::string all;
+  StagedFiles files(folder.path());
+  files.Add("rows.csv", [&all](const TextSink& sink) {
+    for (std::size_t i = 0; i < 2000; ++i) {
+      const std::string part((i * 7919) % 1000 + (i == 1000 ? 1'000'000 : 0),
+                             static_cast<char>('a' + i % 26));
+      all += part;
+      sink(part);
+    }
+  });
+  files.Publish();
+  EXPECT_EQ(test::ReadFile(folder.path() / "rows.csv"), all);
+}
+
+TEST(WriteFilesAtomically, AFailedWriteChangesNothing) {
+  const test::TempFolder folder;
+  folder.Write("a.json", "old");
+  const std::string problem = Problem([&] {
+    const FileSizeLimit limit(1000);
+    WriteFilesAtomically(folder.path(), {{"a.json", "new"}, {"b.txt", std::string(5000, 'x')}});
+  });
+  EXPECT_THAT(problem, AllOf(HasSubstr((folder.path() / "b.txt").string()),
+                             HasSubstr("cannot write"), HasSubstr(std::strerror(EFBIG))));
+  EXPECT_EQ(test::ReadFile(folder.path() / "a.json"), "old");
+  EXPECT_THAT(Names(folder.path()), ElementsAre("a.json"));
+}
+
+TEST(WriteFilesAtomically, DiskFull) {
+  const test::TempFolder folder;
+  const fs::path disk = folder.path() / "disk";
+  fs::create_directory(disk);
+  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=64k") != 0) {
+    GTEST_SKIP() << "cannot mount a small disk: " << std::strerror(errno);
+  }
+  const std::string problem = Problem([&] {
+    WriteFilesAtomically(disk, {{"a.json", "short"}, {"b.txt", std::string(200'000, 'x')}});
+  });
+  const std::vector<std::string> names = Names(disk);
+  ::umount(disk.c_str());
+  EXPECT_THAT(problem, AllOf(HasSubstr("b.txt"), HasSubstr(std::strerror(ENOSPC))));
+  EXPECT_THAT(names, IsEmpty());
+}
+
+TEST(WriteFilesAtomically, MissingFolder) {
+  const test::TempFolder folder;
+  const std::string problem = Problem([&] {
+    WriteFilesAtomically(folder.path() / "none", {{"a.json", "new"}});
+  });
+  EXPECT_THAT(problem, AllOf(HasSubstr("none/a.json"), HasSubstr(std::strerror(ENOENT))));
+}
+
+TEST(WriteFilesAtomically, FolderInsteadOfAFile) {
+  const test::TempFolder folder;
+  fs::create_directory(folder.path() / "a.json");
+  EXPECT_THAT(Problem([&] {
+                WriteFilesAtomically(folder.path(), {{"a.json", "new"}});
+              }),
+              HasSubstr("a.json"));
+  EXPECT_THAT(Names(folder.path()), ElementsAre("a.json"));
+}
+
+TEST(WriteFilesAtomically, CreatesAndClearsSubfolders) {
+  const test::TempFolder folder;
+  WriteFilesAtomically(folder.path(), {{"in/1.txt", "one"}, {"in/2.txt", "two"}, {"last", ""}});
+  EXPECT_THAT(Names(folder.path()), ElementsAre("in", "last"));
+  EXPECT_THAT(Names(folder.path() / "in"), ElementsAre("1.txt", "2.txt"));
+  WriteFilesAtomically(folder.path(), {{"in/1.txt", "new"}, {"last", ""}},
+                       {"in/2.txt", "in/none.txt"});
+  EXPECT_EQ(test::ReadFile(folder.path() / "in" / "1.txt"), "new");
+  EXPECT_THAT(Names(folder.path() / "in"), ElementsAre("1.txt"));
+  WriteFilesAtomically(folder.path(), {{"last", ""}}, {"in/1.txt"});
+  EXPECT_THAT(Names(folder.path()), ElementsAre("last"));
+}
+
+TEST(OutputFolder, IsRemovedIfEmpty) {
+  const test::TempFolder folder;
+  { const OutputFolder output(folder.path() / "x" / "y", {"a.json"}); }
+  EXPECT_FALSE(fs::exists(folder.path() / "x" / "y"));
+  {
+    const OutputFolder output(folder.path() / "z", {"a.json"});
+    EXPECT_THAT(Names(output.path()), IsEmpty());
+    WriteFilesAtomically(output.path(), {{"a.json", "new"}});
+  }
+  EXPECT_THAT(Names(folder.path() / "z"), ElementsAre("a.json"));
+  fs::create_directory(folder.path() / "mine");
+  { const OutputFolder output(folder.path() / "mine", {"a.json"}); }
+  EXPECT_TRUE(fs::exists(folder.path() / "mine"));
+}
+
+TEST(OutputFolder, NamesTheObstacle) {
+  const test::TempFolder folder;
+  folder.Write("file", "");
+  EXPECT_THAT(Problem([&] { const OutputFolder output(folder.path() / "file", {"a.json"}); }),
+              HasSubstr("file"));
+  EXPECT_THAT(Problem([&] { const OutputFolder output(folder.path() / "file/out", {"a.json"}); }),
+              HasSubstr("file"));
+  fs::create_directories(folder.path() / "out" / "a.json");
+  EXPECT_THAT(Problem([&] { const OutputFolder output(folder.path() / "out", {"a.json"}); }),
+              AllOf(HasSubstr("a.json"), HasSubstr("found a folder")));
+  EXPECT_THAT(Problem([&] {
+                const OutputFolder output(folder.path(), {"a.json", "file/"});
+              }),
+              AllOf(HasSubstr("file"), HasSubstr("expected a folder or nothing")));
+  EXPECT_EQ(Problem([&] { const OutputFolder output(folder.path(), {"a.json", "out/"}); }), "");
+  EXPECT_THAT(Problem([] { const OutputFolder output("/proc/none", {"a.json"}); }),
+              HasSubstr("/proc/none"));
+  EXPECT_NE(Problem([&] {
+              const FileSizeLimit limit(100);
+              const OutputFolder output(folder.path() / "full", {"a.json"});
+            }),
+            "");
+}
+
+TEST(Temporary, OldOnesAreLeftovers) {
+  const test::TempFolder temp;
+  const auto add = [&temp](int hours) {
+    const fs::path name = TemporaryName(temp.path() / "a b.tmp-1").filename();
+    const fs::path path = temp.Write(name / "in", "abc").parent_path();
+    fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::hours(hours));
+    return path;
+  };
+  const fs::path recent = add(23);
+  const fs::path old = add(25);
+  const fs::path other = temp.Write(".a.tmp-of mine", "abc");
+  fs::last_write_time(other, fs::file_time_type::clock::now() - std::chrono::hours(25));
+  EXPECT_TRUE(IsTemporary(recent));
+  EXPECT_FALSE(IsTemporary(other));
+  RemoveLeftovers(temp.path());
+  EXPECT_TRUE(fs::exists(recent));
+  EXPECT_FALSE(fs::exists(old));
+  RemoveTemporaries(temp.path());
+  EXPECT_FALSE(fs::exists(recent));
+  EXPECT_TRUE(fs::exists(other));
+  RemoveLeftovers(temp.path() / "none");
+}
+
+TEST(Temporary, NamesDiffer) {
+  EXPECT_NE(TemporaryName("folder/a"), TemporaryName("folder/a"));
+  EXPECT_EQ(TemporaryName("folder/a").parent_path(), "folder");
+}
+
+class CsvFileTest : public testing::Test {
+ protected:
+  CsvFile Read(const std::string& text) const { return CsvFile(folder_.Write("table.csv", text)); }
+  std::string Problem(
+      const std::string& text,
+      const std::function<void(const CsvFile&)>& use = [](const CsvFile&) {}) const {
+    return ErrorMessage([&] { use(Read(text)); });
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(CsvFileTest, CellsByRowAndColumn) {
+  const CsvFile file = Read("id,name,x,y\n7,a chair,1.5,-2e3\r\n9007199254740993,,0,1\n");
+  ASSERT_EQ(file.rows(), 2U);
+  EXPECT_EQ(file.Integer(0, file.Column("id")), 7);
+  EXPECT_EQ(file.Id(1, 0), 9007199254740993);
+  EXPECT_EQ(file.Name(0, 1), "a chair");
+  EXPECT_TRUE(file.Empty(1, 1));
+  EXPECT_THAT(file.Numbers<2>(0, file.Columns({"x", "y"})), ElementsAre(1.5, -2000.0));
+  EXPECT_EQ(Read("a\n").rows(), 0U);
+}
+
+TEST_F(CsvFileTest, ErrorsOfDamagedFilesNameTheLine) {
+  EXPECT_THAT(Problem(""), HasSubstr("table.csv:1: found nothing"));
+  EXPECT_THAT(Problem("a,b\n1,2\n3,4"), HasSubstr("table.csv:3: found a last line without a line"));
+  EXPECT_THAT(Problem("a,b\n1\n"), HasSubstr("table.csv:2: found 1 cells, expected 2, as line 1"));
+  EXPECT_THAT(Problem("a,b\n\n"), HasSubstr("table.csv:2: found 1 cells"));
+  EXPECT_THAT(Problem("a\n\xff\n"), HasSubstr("table.csv:2: found bytes that are no characters"));
+  EXPECT_THAT(Problem("a\n1\n", [](const CsvFile& file) { file.Column("b"); }),
+              HasSubstr("no column b"));
+  EXPECT_THAT(Problem("a,c,b\n",
+                      [](const CsvFile& file) {
+                        file.Columns({"a", "b"});
+                      }),
+              HasSubstr("column b elsewhere, expected behind a"));
+  EXPECT_THAT(ErrorMessage([&] { CsvFile(folder_.Write("t", "a,b\n"), "a,c"); }),
+              HasSubstr("found \"a,b\", expected the header \"a,c\""));
+}
+
+TEST_F(CsvFileTest, ErrorsOfNonNumericCellsNameTheColumn) {
+  for (const char* cell : {"nan", "inf", "1e999", "", "1 ", "0x1", "one"}) {
+    EXPECT_THAT(Problem("a,b\n1," + std::string(cell) + "\n",
+                        [](const CsvFile& file) { file.Number(0, 1); }),
+                HasSubstr("in column b, expected a finite number"))
+        << cell;
+  }
+  EXPECT_THAT(Problem("a\n3000000000\n", [](const CsvFile& file) { file.Integer(0, 0); }),
+              HasSubstr("a whole number"));
+  EXPECT_THAT(Problem("a,b\n,1\n", [](const CsvFile& file) { file.Name(0, 0); }),
+              HasSubstr("a name"));
+}
+
+}  // namespace
+}  // namespace cvo::files_test

@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "experiments/cache/content_hash.h"
+#include "experiments/runner/run_job.h"
+#include "experiments/suite/job_input.h"
+#include "experiments/suite/plan/build_plan.h"
+#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan/plan_outlook.h"
+#include "reports/results/metric_catalogue.h"
+#include "reports/results/timing.h"
+#include "synth/family/family.h"
+#include "synth/write/dataset.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/experiments/suite/examples.h"
+#include "tests/support/error_message.h"
+#include "tests/support/temp_folder.h"
+
+namespace cvo::plan_test {
+namespace {
+
+namespace fs = std::filesystem;
+using test::FolderSuite;
+using test::Parse;
+using test::SmallSuite;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Tests the step from a suite to jobs: finding inputs, identities and the contents of plan.json.
+
+constexpr int kFrames = 4;
+
+class SuitePlan : public testing::Test {
+ protected:
+  fs::path data() const { return folder_.path() / "data"; }
+  fs::path cache() const { return folder_.path() / "cache"; }
+  BuiltPlan Build(const Suite& suite) const {
+    PlanRequest request;
+    request.data = data();
+    request.cache = cache();
+    return BuildPlan(suite, request);
+  }
+  // True in a build without OSMesa.
+  static bool CannotRender() {
+    return ErrorMessage([] { synth::FindRendererVersion(); }) != "";
+  }
+
+  test::TempFolder folder_;
+};
+
+TEST_F(SuitePlan, TheJobOfAFolderHasTheIdentityThatARunRecords) {
+  test::WriteTinySequence(data() / "here" / "07", kFrames);
+  Json json = FolderSuite("07");
+  json["seeds"] = {3};
+  const Suite suite = Parse(json);
+  const PlanJob job = Build(suite).plan.jobs.at(0);
+  ASSERT_EQ(job.missing, "");
+  EXPECT_EQ(job.frames, kFrames);
+  const Sequence sequence = OpenSequence(RequestOf(suite, job, data()));
+  fs::create_directory(folder_.path() / "out");
+  const auto outcome = RunJob({.sequence = sequence,
+                               .variant = FindVariant("static"),
+                               .options = OptionsOf(suite, job.variant, job.parameters),
+                               .seed = 3},
+                              folder_.path() / "out");
+  ASSERT_TRUE(outcome.has_value());
+  EXPECT_EQ(job.job, outcome->context.job);
+  EXPECT_EQ(job.content, outcome->run.content);
+  std::set<std::string> known;
+  for (const std::string& name : reports::AllMetricNames()) known.insert(name);
+  for (const Metric& metric : outcome->scores.refined) EXPECT_EQ(known.count(metric.name), 1U);
+  for (const Metric& metric : outcome->scores.causal) EXPECT_EQ(known.count(metric.name), 1U);
+}
+
+TEST_F(SuitePlan, AChangedImageGivesAnotherJob) {
+  test::WriteTinySequence(data() / "07", kFrames);
+  const Suite suite = Parse(FolderSuite("07"));
+  const PlanJob before = Build(suite).plan.jobs.at(0);
+  EXPECT_EQ(Build(suite).plan.jobs.at(0).job, before.job);
+  fs::copy_file(data() / "07" / "image_0" / "000001.png", data() / "07" / "image_0" / "000002.png",
+                fs::copy_options::overwrite_existing);
+  const PlanJob after = Build(suite).plan.jobs.at(0);
+  EXPECT_NE(after.job, before.job);
+  EXPECT_NE(after.content, before.content);
+  EXPECT_NE(after.input, before.input);
+}
+
+TEST_F(SuitePlan, JobsShareAnInputUnlessTheFrontEndDiffers) {
+  test::WriteTinySequence(data() / "07", kFrames);
+  Json json = FolderSuite("07");
+  json["seeds"] = 2;
+  json["variants"] = {"static", "full"};
+  json["grid"] = {{"window.spatial", {4, 5}}, {"orb.features", {500, 600}}};
+  json["table"]["rows"] = {"variant", "window.spatial", "orb.features"};
+  std::set<std::string> inputs;
+  std::set<std::string> jobs;
+  for (const PlanJob& job : Build(Parse(json)).plan.jobs) {
+    inputs.insert(job.input);
+    jobs.insert(job.job);
+  }
+  EXPECT_EQ(inputs.size(), 2U);
+  EXPECT_EQ(jobs.size(), 16U);
+}
+
+TEST_F(SuitePlan, MissingInputIsReportedNotThrown) {
+  test::WriteTinySequence(data() / "a" / "07", kFrames);
+  test::WriteTinySequence(data() / "b" / "07", kFrames);
+  test::WriteTinySequence(data() / "bad", kFrames);
+  fs::remove(data() / "bad" / "calib.txt");
+  const auto missing = [&](const Json& json) { return Build(Parse(json)).plan.jobs.at(0).missing; };
+  EXPECT_THAT(missing(FolderSuite("2011_09_26_drive_0009_sync")),
+              HasSubstr("no 2011_09_26_drive_0009_sync below"));
+  EXPECT_THAT(missing(FolderSuite("07")), HasSubstr("both "));
+  EXPECT_EQ(missing(FolderSuite("a/O7")),
+            StrCat("no a/O7 (did you mean a/07, b/07?) below ", data().string()));
+  EXPECT_EQ(missing(FolderSuite("a/07")), "");
+  EXPECT_THAT(missing(FolderSuite("bad")), HasSubstr("calib.txt"));
+  Json json = FolderSuite("a/07");
+  json["sequences"][0]["detections"] = "nowhere.txt";
+  EXPECT_EQ(missing(json), StrCat("no file nowhere.txt below ", data().string()));
+  json["sequences"][0]["detections"] = "labels";
+  EXPECT_THAT(missing(json), testing::Not(HasSubstr("no file")));
+  PlanRequest without_data;
+  without_data.cache = cache();
+  const BuiltPlan none = BuildPlan(Parse(FolderSuite("a/07")), without_data);
+  EXPECT_THAT(none.plan.jobs.at(0).missing, HasSubstr("--data"));
+  EXPECT_EQ(none.plan.jobs.at(0).job, "");
+}
+
+TEST_F(SuitePlan, FindsAFolderByTheEndOfItsPath) {
+  test::WriteTinySequence(data() / "deep" / "er" / "06", kFrames);
+  DataFolder folder(data());
+  EXPECT_EQ(folder.Find("06").folder, data() / "deep" / "er" / "06");
+  EXPECT_EQ(folder.Find("er/06").folder, data() / "deep" / "er" / "06");
+  EXPECT_EQ(folder.Find("deep/06").folder, "");
+  EXPECT_EQ(folder.Find("6").folder, "");
+  // Labels without images, such as those of a drive stored in another layout, are not runnable.
+  folder_.Write("data/training/image_02/none.txt", "");
+  folder_.Write("data/training/calib/0003.txt", "");
+  EXPECT_EQ(folder.Find("training/0003").missing,
+            StrCat("no images of both cameras of training/0003 below ", data().string()));
+}
+
+TEST_F(SuitePlan, JobsOfSystemsDependOnTheirFiles) {
+  test::WriteTinySequence(data() / "07", kFrames);
+  folder_.Write("data/other.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  Json json = FolderSuite("07");
+  json["systems"] = Json::array(
+      {{{"name", "other"}, {"files", {{{"sequence", "07"}, {"camera", "other.txt"}}}}}});
+  const Suite suite = Parse(json);
+  const PlanJob job = Build(suite).plan.jobs.at(1);
+  EXPECT_EQ(job.system, "other");
+  EXPECT_NE(job.job, "");
+  folder_.Write("data/other.txt", "1 0 0 1 0 1 0 0 0 0 1 0\n");
+  EXPECT_NE(Build(suite).plan.jobs.at(1).job, job.job);
+  fs::remove(data() / "other.txt");
+  EXPECT_THAT(Build(suite).plan.jobs.at(1).missing, HasSubstr("other.txt"));
+}
+
+TEST_F(SuitePlan, ReadsBackWhatItWrote) {
+  test::WriteTinySequence(data() / "07", kFrames);
+  Json json = FolderSuite("07");
+  json["grid"] = {{"window.spatial", {4, 5}}};
+  json["oracles"] = Json::array({{"camera"}});
+  json["table"]["rows"] = {"window.spatial"};
+  const std::string text = PlanText(Build(Parse(json)).plan);
+  const Json written = ParseJson(text, "plan.json");
+  EXPECT_EQ(PlanText(ParsePlan(written, "plan.json")), text);
+  EXPECT_EQ(written["suite"]["name"], "small");
+  EXPECT_EQ(written["table"]["rows"], Json({"window.spatial"}));
+  EXPECT_EQ(written["jobs"][1]["parameters"], Json({{"window.spatial", 5}}));
+  for (const char* key : {"sequence", "detections", "variant", "system", "seed", "oracle", "folder",
+                          "missing", "input", "job"}) {
+    EXPECT_TRUE(written["jobs"][0].contains(key)) << key;
+  }
+}
+
+TEST_F(SuitePlan, RefusesInvalidPlans) {
+  test::WriteTinySequence(data() / "07", kFrames);
+  const Json written = ParseJson(PlanText(Build(Parse(FolderSuite("07"))).plan), "plan.json");
+  const auto message = [](const Json& json) {
+    return ErrorMessage([&] { ParsePlan(json, "p.json"); });
+  };
+  EXPECT_EQ(message(written), "");
+  for (const char* key : {"kind", "schema_version", "definition", "jobs", "build"}) {
+    Json damaged = written;
+    damaged.erase(key);
+    EXPECT_THAT(message(damaged), testing::StartsWith("p.json")) << key;
+  }
+  Json other = written;
+  other["jobs"][0]["entry"] = 7;
+  EXPECT_THAT(message(other), testing::StartsWith("p.json"));
+}
+
+TEST_F(SuitePlan, RequestsScenesThatAreNotRendered) {
+  if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
+  Json json = SmallSuite();
+  json["seeds"] = 2;
+  json["variants"] = {"full", "static"};
+  json["sequences"][0]["frames"] = "1:4";
+  const BuiltPlan built = Build(Parse(json));
+  for (const PlanJob& job : built.plan.jobs) {
+    EXPECT_EQ(job.missing, kNotRendered);
+    EXPECT_EQ(job.job, "");
+    EXPECT_EQ(job.frames, 3);
+  }
+  ASSERT_EQ(built.preparations.size(), 2U);
+  EXPECT_TRUE(built.preparations[0].stage == Stage::kDrawing);
+  EXPECT_FALSE(built.preparations[1].stage == Stage::kDrawing);
+  EXPECT_NE(built.preparations[0].output, built.preparations[1].output);
+  EXPECT_EQ(built.preparations[0].output.filename(), "tiny");
+  EXPECT_THAT(
+      built.preparations[0].arguments,
+      testing::ElementsAre("synth", "render", "tiny", "-o", built.preparations[0].output.string(),
+                           "--seed", "1", "--frames", "1:4"));
+}
+
+TEST_F(SuitePlan, TheJobOfARenderedSceneHasTheIdentityOfItsBytes) {
+  if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
+  ASSERT_EQ(::setenv("CLUSTERVO_CACHE", cache().c_str(), 1), 0);
+  Json json = SmallSuite();
+  json["sequences"][0]["frames"] = "0:2";
+  const Suite suite = Parse(json);
+  const Preparation render = Build(suite).preparations.at(0);
+  synth::RenderRequest request;
+  request.frames.end = 2;
+  request.seed = 1;
+  synth::WriteDataset(synth::LoadScene("tiny", {}), request, render.output);
+  const BuiltPlan built = Build(suite);
+  EXPECT_THAT(built.preparations, IsEmpty());
+  const PlanJob& job = built.plan.jobs.at(0);
+  ASSERT_EQ(job.missing, "");
+  const Sequence sequence = OpenSequence(RequestOf(suite, job, ""));
+  EXPECT_EQ(sequence.name, "tiny");
+  EXPECT_FALSE(sequence.detections.empty());
+  EXPECT_EQ(job.content, ContentHash(sequence, HashImages(sequence)));
+  EXPECT_EQ(job.job, IdentifyJob({.sequence = sequence,
+                                  .variant = FindVariant("full"),
+                                  .options = OptionsOf(suite, "full", {}),
+                                  .seed = 1}));
+  // A scene with a missing or truncated file is rendered again.
+  EXPECT_EQ(FindSceneDamage(render.output, HashesByReading), std::nullopt);
+  fs::resize_file(render.output / "image_0" / "000001.png", 10);
+  EXPECT_EQ(FindSceneDamage(render.output, HashesByReading, {0, 1}), std::nullopt);
+  EXPECT_THAT(FindSceneDamage(render.output, HashesByReading).value_or(""),
+              HasSubstr("image_0/000001.png has changed since it was written"));
+  EXPECT_EQ(Build(suite).plan.jobs.at(0).missing, kNotRendered);
+}
+
+TEST_F(SuitePlan, TheFolderOfASceneDependsOnItsContent) {
+  if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
+  SceneFolders scenes(cache());
+  SuiteSequence tiny = Parse(SmallSuite()).sequences[0];
+  const RenderedScene one = scenes.Find(tiny, {}, 1);
+  EXPECT_EQ(scenes.Find(tiny, {}, 1).folder, one.folder);
+  EXPECT_EQ(scenes.Find(tiny, {{"window.spatial", 3}}, 1).folder, one.folder);
+  const RenderedScene noise = scenes.Find(tiny, {}, 2);
+  EXPECT_NE(noise.folder, one.folder);
+  EXPECT_EQ(noise.drawing, one.drawing);
+  const RenderedScene detector = scenes.Find(tiny, {{"scene.detector.miss_rate", 0.5}}, 1);
+  EXPECT_NE(detector.folder, one.folder);
+  EXPECT_EQ(detector.drawing, one.drawing);
+  EXPECT_NE(scenes.Find(tiny, {{"scene.camera.height_m", 1.15}}, 1).drawing, one.drawing);
+  tiny.frames = "0:2";
+  EXPECT_NE(scenes.Find(tiny, {}, 1).drawing, one.drawing);
+}
+
+// A made-up plan with one job per variant, which needs no sequence.
+Plan PlanOf(const std::vector<std::string>& variants) {
+  Json json = test::FolderSuite("x");
+  json["variants"] = variants;
+  Plan plan;
+  plan.suite = test::Parse(json);
+  plan.build = "build";
+  plan.jobs = ExpandSuite(plan.suite);
+  for (PlanJob& job : plan.jobs) {
+    job.folder = "/x";
+    job.frames = 70;
+    job.content = "content";
+    job.input = "input";
+    job.job = "job of " + job.variant;
+  }
+  return plan;
+}
+
+EarlierRuns With(const std::optional<Plan>& plan, const std::set<std::string>& done) {
+  return {plan, [done](const PlanJob& job) { return done.count(job.job) > 0; },
+          [](const std::string&) { return std::string(); }};
+}
+
+TEST(PlanOutlook, CountsDoneNewAndMissingJobs) {
+  Plan plan = PlanOf({"full", "static", "2d"});
+  plan.jobs[2].missing = kNotRendered;
+  const auto outlook = PredictStates(plan, With(std::nullopt, {"job of full"}));
+  EXPECT_EQ(outlook[0].state, JobState::kDone);
+  EXPECT_EQ(outlook[1].state, JobState::kRuns);
+  EXPECT_EQ(outlook[1].why, "new");
+  EXPECT_EQ(outlook[2].state, JobState::kPrepares);
+  plan.jobs[2].missing = "no such drive";
+  EXPECT_EQ(PredictStates(plan, With(std::nullopt, {}))[2].why, "no such drive");
+}
+
+TEST(PlanOutlook, ReportsWhyADoneJobRunsAgain) {
+  const Plan earlier = PlanOf({"full"});
+  const auto why = [&](Plan plan) {
+    plan.jobs[0].job = "another";
+    return PredictStates(plan, With(earlier, {"job of full"})).at(0).why;
+  };
+  Plan plan = earlier;
+  plan.build = "other";
+  EXPECT_EQ(why(plan), "different build of the program");
+  plan.jobs[0].content = "changed";
+  EXPECT_EQ(why(plan), "different build of the program, the sequence has changed");
+  plan = earlier;
+  plan.suite.options = {{"window", {{"spatial", 7}}}};
+  EXPECT_EQ(why(plan), "different options");
+  EXPECT_EQ(why(earlier), "different boxes or files");
+}
+
+TEST(PlanOutlook, ReportsPendingAndFailedJobs) {
+  const Plan earlier = PlanOf({"full"});
+  const Plan plan = PlanOf({"full", "static"});
+  EarlierRuns runs = With(earlier, {});
+  EXPECT_EQ(PredictStates(plan, runs)[0].why, "not run yet");
+  EXPECT_EQ(PredictStates(plan, runs)[1].why, "not in the previous plan");
+  runs.failed = [](const std::string& job) {
+    return job == "job of full" ? std::string("no memory") : "";
+  };
+  EXPECT_EQ(PredictStates(plan, runs)[0].why, "failed before: no memory");
+}
+
+TEST(PlanOutlook, EstimatesFromMeasuredTimes) {
+  const test::TempFolder folder;
+  reports::TimingData timing;
+  timing.wall_s = 7.0;
+  timing.frames = Json::array({Json::object(), Json::object()});
+  folder.Write("job of full/timing.json", FileText(timing));
+  folder.Write("job of 2d/timing.json", "damaged");
+  BuiltPlan built{PlanOf({"full", "static", "2d"}), {}};
+  auto outlook = PredictStates(built.plan, With(std::nullopt, {}));
+  EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, {}), 3 * 70 / 35.0);
+  const EarlierRuns earlier = With(PlanOf({"no_pairwise"}), {"job of full", "job of 2d"});
+  outlook = PredictStates(built.plan, earlier);
+  const auto frame_s = MeasuredFrameTime_s(
+      built.plan, earlier, [&](const std::string& job) { return folder.path() / job; });
+  EXPECT_EQ(frame_s, 3.5);  // of the file that can be read
+  EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, frame_s), 70 * 3.5);
+  built.preparations = {{"a", "x", "/a", {}, 10, Stage::kDrawing},
+                        {"b", "x", "/b", {}, 10, Stage::kNoise}};
+  EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, frame_s), 70 * 3.5 + 10 * 0.28 + 10 * 0.03);
+}
+
+}  // namespace
+}  // namespace cvo::plan_test

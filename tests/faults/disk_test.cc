@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Faults of the system calls in core/files/disk.h, while a suite runs: a call fails, transfers half
+// of its bytes, or the process is killed. The same command must then give the same bytes.
+#include <map>
+
+#include "tests/faults/fault_folder.h"
+
+namespace cvo::disk_test {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::map<std::string, std::string>;  // content by path
+using test::ProcessResult;
+
+struct Fault {
+  std::string kind;
+  std::string call;
+  std::uint64_t number = 0;  // of the call, from 1; 0: none has a fault
+};
+
+class DiskFaults : public test::FaultFolder, public testing::WithParamInterface<const char*> {
+ protected:
+  ProcessResult RunSuite(const Fault& fault) const {
+    WriteFileBytes(At("counter"), std::string(sizeof(std::uint64_t), '\0'));
+    return test::RunProgram(Suite("run", {"-j", "1"}),
+                            {.environment = {StrCat("CLUSTERVO_CACHE=", At("cache")),
+                                             StrCat("CLUSTERVO_FAULT=", fault.kind, ",", fault.call,
+                                                    ",", fault.number, ",", At("counter"))}});
+  }
+  std::uint64_t Calls() const {
+    std::uint64_t calls = 0;
+    ReadFileBytes(At("counter")).copy(reinterpret_cast<char*>(&calls), sizeof(calls));
+    return calls;
+  }
+  // Every file of the results that does not hold times, without temporary ones of killed processes.
+  Files Results() const {
+    Files files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+      const std::string name = entry.path().lexically_relative(folder_.path()).string();
+      if (!entry.is_regular_file() || !name.starts_with("out/") || name.starts_with("out/lo") ||
+          name.ends_with("timing.json") || name.find(".tmp-") != std::string::npos) {
+        continue;  // "out/lo": the log and the lock
+      }
+      files[name] = ReadFileBytes(entry.path());
+    }
+    return files;
+  }
+  void Clear() const {
+    for (const char* made : {"out", "cache"}) fs::remove_all(At(made));
+  }
+};
+
+TEST_P(DiskFaults, TheNextRunRepairsThem) {
+  constexpr int kKilled = 128 + 9;
+  const std::string call = GetParam();
+  ASSERT_EQ(RunSuite({"fail", call}).exit_code, 0);
+  const Files expected = Results();
+  const std::uint64_t calls = Calls();
+  ASSERT_GT(calls, 0U);
+  const bool has_bytes = call == "read" || call == "write";
+  for (const std::string kind : {"fail", "kill", "short"}) {
+    if (kind == "short" && !has_bytes) continue;
+    for (const std::uint64_t number : {1 + calls / 3, 1 + 2 * calls / 3}) {
+      SCOPED_TRACE(StrCat(kind, " at ", call, " ", number, " of ", calls));
+      Clear();
+      const ProcessResult disturbed = RunSuite({kind, call, number});
+      EXPECT_THAT(disturbed.exit_code, testing::AnyOf(0, 1, kind == "kill" ? kKilled : 1))
+          << disturbed.err;
+      EXPECT_THAT(disturbed.err, testing::Not(testing::HasSubstr("internal")));
+      const ProcessResult again = RunSuite({"fail", call});
+      EXPECT_EQ(again.exit_code, 0) << again.err;
+      EXPECT_EQ(Results(), expected);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Calls, DiskFaults,
+                         testing::Values("open", "read", "write", "sync", "rename"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+}  // namespace
+}  // namespace cvo::disk_test

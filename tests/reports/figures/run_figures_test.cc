@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Figures about what single runs estimate frame by frame.
+#include <gmock/gmock.h>
+
+#include "reports/figures/suite_parts.h"
+#include "tests/reports/figures/drawn_suite.h"
+
+namespace cvo::reports {
+namespace {
+
+using test::DrawnSuite;
+using test::SeriesNamed;
+using test::XsOf;
+using test::YsOf;
+using testing::AllOf;
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::Pointwise;
+using testing::SizeIs;
+
+template <typename AddFigures>
+SuiteFigures Drawn(AddFigures add, const SuiteData& data) {
+  SuiteFigures figures;
+  add(data, figures);
+  return figures;
+}
+
+// The series with data of this symbol, or with dots.
+std::vector<Series> SeriesLike(const Chart& chart, Symbol symbol, int dash) {
+  std::vector<Series> found;
+  for (const Series& series : chart.panels.at(0).series) {
+    if (series.data.empty() || series.look.symbol != symbol) continue;
+    if (symbol != Symbol::kNone || series.look.dash == dash) found.push_back(series);
+  }
+  return found;
+}
+
+TEST(ErrorOverTime, DrawsEstimatedAndPredictedErrorsPerBody) {
+  const SuiteFigures drawn = Drawn(AddErrorOverTime, DrawnSuite({"full"}));
+  ASSERT_THAT(drawn.figures, SizeIs(1));
+  const Figure& figure = drawn.figures[0];
+  EXPECT_EQ(figure.name, "error-over-time-room");
+  EXPECT_THAT(figure.title,
+              AllOf(HasSubstr("on room, seed 1"), HasSubstr("aligned by the camera")));
+  const Series estimated = SeriesNamed(figure.chart, "full").at(0);
+  EXPECT_THAT(XsOf(estimated), ElementsAre(0, 1, 2, -1, 4)) << "broken where a frame is missing";
+  EXPECT_THAT(YsOf(estimated), Pointwise(DoubleEq(), {1.0, 2.0, 3.0, -1.0, 5.0}));
+  // sqrt((1 + 4 + 9 + 25) / 4) = 3.12
+  EXPECT_EQ(estimated.tip, "full: 3.1 cm root mean square, at most 5, in 4 frames and 1 predicted");
+  const Series predicted = SeriesLike(figure.chart, Symbol::kNone, 4).at(0);
+  EXPECT_THAT(XsOf(predicted), ElementsAre(3));
+  EXPECT_THAT(YsOf(predicted), ElementsAre(4.0));
+  EXPECT_EQ(figure.chart.panels[0].y.title, "ball error (cm)");
+  EXPECT_EQ(figure.chart.panels[0].x.title, "frame");
+}
+
+TEST(ErrorOverTime, MarksBirthsSwitchesAndHiddenFrames) {
+  const Figure figure = Drawn(AddErrorOverTime, DrawnSuite({"full"})).figures.at(0);
+  const Series birth = SeriesLike(figure.chart, Symbol::kOpenTriangle, 0).at(0);
+  EXPECT_THAT(XsOf(birth), ElementsAre(1));
+  EXPECT_THAT(YsOf(birth), ElementsAre(2.0));
+  const Series change = SeriesLike(figure.chart, Symbol::kCross, 0).at(0);
+  EXPECT_THAT(XsOf(change), ElementsAre(2));
+  EXPECT_THAT(YsOf(change), ElementsAre(3.0));
+  const std::vector<Shade>& shades = figure.chart.panels[0].shades;
+  ASSERT_THAT(shades, SizeIs(1));
+  EXPECT_EQ(shades[0].low, 2.5);
+  EXPECT_EQ(shades[0].high, 3.5);
+  const std::string svg = ChartSvg(figure.chart);
+  for (const char* entry : {">full<", ">predicted<", ">cluster begins<", ">identity switch<"}) {
+    EXPECT_THAT(svg, HasSubstr(entry));
+  }
+  EXPECT_THAT(figure.caption, HasSubstr("Shaded: the body is not visible"));
+}
+
+TEST(ErrorOverTime, NamesVariantsWithoutAnEstimate) {
+  SuiteData data = DrawnSuite({"full", "static"});
+  data.drawn[1].detail.bodies[0].estimated.clear();
+  data.drawn[1].detail.bodies[0].predicted.clear();
+  const Figure figure = Drawn(AddErrorOverTime, data).figures.at(0);
+  EXPECT_THAT(figure.caption, HasSubstr("Without an estimate of these bodies: static."));
+  EXPECT_THAT(SeriesNamed(figure.chart, "static"), IsEmpty());
+}
+
+TEST(ErrorOverTime, IsLogarithmicWhereErrorsAreFarApart) {
+  SuiteData data = DrawnSuite({"full", "2d"});
+  const auto scale = [&] {
+    return Drawn(AddErrorOverTime, data).figures.at(0).chart.panels[0].y.scale;
+  };
+  EXPECT_EQ(scale(), AxisScale::kLinear);
+  for (BodyPosition& position : data.drawn[1].detail.bodies[0].estimated) position.error_m *= 500.0;
+  data.drawn[0].detail.bodies[0].estimated[0].error_m = 0.0;
+  EXPECT_EQ(scale(), AxisScale::kLog);
+  const Figure figure = Drawn(AddErrorOverTime, data).figures.at(0);
+  EXPECT_EQ(YsOf(SeriesNamed(figure.chart, "full").at(0))[0], 0.01) << "zero has no logarithm";
+  EXPECT_THAT(figure.caption, HasSubstr("logarithmic"));
+}
+
+TEST(ErrorOverTime, ReportsUnknownData) {
+  SuiteData data = DrawnSuite({"full"});
+  data.drawn[0].switches.reset();
+  EXPECT_THAT(Drawn(AddErrorOverTime, data).figures.at(0).caption,
+              HasSubstr("Identity switches not known, no landmarks.csv: full."));
+  data.drawn[0].detail.bodies.clear();
+  const SuiteFigures none = Drawn(AddErrorOverTime, data);
+  EXPECT_THAT(none.figures, IsEmpty());
+  EXPECT_THAT(none.not_drawn, ElementsAre(HasSubstr("Error over time on room: no moving body")));
+}
+
+TEST(Trajectories, AreSeenFromAboveWithOneScale) {
+  const SuiteFigures drawn = Drawn(AddTrajectories, DrawnSuite({"full", "2d"}));
+  ASSERT_THAT(drawn.figures, SizeIs(1));
+  const Chart& chart = drawn.figures[0].chart;
+  ASSERT_THAT(chart.panels, SizeIs(2));
+  const Panel& panel = chart.panels[0];
+  EXPECT_EQ(panel.x.title, "x, right (m)");
+  EXPECT_EQ(panel.y.title, "z, ahead (m)");
+  EXPECT_TRUE(panel.equal_scale);
+  EXPECT_TRUE(chart.share_x && chart.share_y);
+  const Series truth = SeriesNamed(chart, "truth (camera bold)").at(0);
+  EXPECT_THAT(YsOf(truth), Pointwise(DoubleEq(), {0.05, 0.25, 0.45, 0.65, 0.85}))
+      << "z, not the height";
+  EXPECT_EQ(panel.series[1].look.colour, PaletteOf(SuitePlan(), {"full"}).Line("full").colour);
+  EXPECT_THAT(XsOf(panel.series[1]), Pointwise(DoubleEq(), {0.0, 0.1, 0.2, 0.3, 0.4}));
+  const std::vector<Series> starts = SeriesNamed(chart, "start");
+  EXPECT_THAT(XsOf(starts.at(1)), ElementsAre(1.0));
+  EXPECT_THAT(YsOf(starts.at(1)), ElementsAre(3.0));
+  EXPECT_THAT(panel.notes, SizeIs(2)) << "camera and ball";
+}
+
+TEST(Trajectories, ADriftingEstimateDoesNotChangeTheScale) {
+  SuiteData data = DrawnSuite({"full"});
+  data.drawn[0].detail.camera[4].world_from_camera[0] = 1000.0;
+  const Figure figure = Drawn(AddTrajectories, data).figures.at(0);
+  EXPECT_LT(figure.chart.panels[0].x.high.value(), 2.0);
+  EXPECT_THAT(figure.caption, HasSubstr("leaves the part shown: full."));
+  data.drawn[0].detail.camera.clear();
+  data.drawn[0].detail.bodies.clear();
+  EXPECT_THAT(Drawn(AddTrajectories, data).not_drawn,
+              ElementsAre("Trajectories on room: no poses."));
+}
+
+TEST(StageTimes, AreBarsWithTheMachineInTheCaption) {
+  const SuiteFigures drawn = Drawn(AddStageTimes, DrawnSuite({"full", "2d"}));
+  ASSERT_THAT(drawn.figures, SizeIs(1));
+  const Figure& figure = drawn.figures[0];
+  const auto front_end = SeriesNamed(figure.chart, "front end, all variants");
+  ASSERT_THAT(front_end, SizeIs(1));
+  EXPECT_THAT(XsOf(front_end[0]), ElementsAre(20.0));
+  EXPECT_EQ(front_end[0].data[0].x_interval.value().high, 30.0);
+  EXPECT_THAT(XsOf(SeriesNamed(figure.chart, "full").at(0)), ElementsAre(2.0));
+  EXPECT_THAT(figure.chart.panels.at(1).y.categories, ElementsAre("track"));
+  EXPECT_TRUE(figure.chart.share_x) << "one axis for both panels";
+  EXPECT_EQ(figure.chart.panels[1].x.title, "time per frame (ms)");
+  EXPECT_THAT(figure.caption, HasSubstr("Measured on one of 3 GHz (here)."));
+}
+
+TEST(StageTimes, UseRunsThatComputeFeaturesOnlyAsAFallback) {
+  SuiteData data = DrawnSuite({"full", "2d", "2d"});
+  data.drawn[1].detail.stages = {{"track", 4.0, 4.0, 5.0}, {"frame", 9.0, 9.0, 9.0}};
+  const Figure figure = Drawn(AddStageTimes, data).figures.at(0);
+  EXPECT_THAT(XsOf(SeriesNamed(figure.chart, "2d").at(0)), ElementsAre(4.0));
+  EXPECT_THAT(figure.caption, HasSubstr("Pale: all runs of full computed features"));
+  EXPECT_EQ(SeriesNamed(figure.chart, "full").at(0).look.opacity, 0.35);
+  EXPECT_THAT(figure.chart.panels.back().y.categories, ElementsAre("track"));
+}
+
+TEST(StageTimes, DoNotMixMachines) {
+  SuiteData data = DrawnSuite({"full", "2d", "2d3d"});
+  data.drawn[1].detail.host = "there";
+  const Figure figure = Drawn(AddStageTimes, data).figures.at(0);
+  EXPECT_THAT(SeriesNamed(figure.chart, "2d"), IsEmpty());
+  EXPECT_THAT(figure.caption, HasSubstr("Runs on 1 other machines are left out."));
+  for (DrawnRun& run : data.drawn) run.detail.stages.clear();
+  EXPECT_THAT(Drawn(AddStageTimes, data).not_drawn, ElementsAre(HasSubstr("timing.json")));
+}
+
+// Frames 10 to 13; the first has no estimate. Of the variants, only `full` estimates anything.
+SuiteData Calibrated() {
+  SuiteData data = DrawnSuite({"clustervo", "full"});
+  for (DrawnRun& run : data.drawn) {
+    std::vector<CameraFrame>& frames = run.detail.camera;
+    frames.assign(4, CameraFrame());
+    for (int i = 0; i < 4; ++i) {
+      frames[i].frame = 10 + i;
+      if (i == 0 || run.variant != "full") continue;
+      frames[i].calibration = CalibrationState{{0.1 * i, 9.0}, {0.04, 9.0}};
+    }
+  }
+  return data;
+}
+
+TEST(CalibrationFigure, ShowsTheMeanWithItsDeviation) {
+  const Figure figure = Drawn(AddCalibration, Calibrated()).figures.at(0);
+  const Series line = SeriesNamed(figure.chart, "full").at(0);
+  EXPECT_THAT(XsOf(line), ElementsAre(11, 12, 13));
+  EXPECT_THAT(YsOf(line), Pointwise(DoubleEq(), {0.1, 0.2, 0.1 * 3}));
+  EXPECT_NEAR(line.data[0].y_interval->low, 0.06, 1e-12);
+  EXPECT_NEAR(line.data[0].y_interval->high, 0.14, 1e-12);
+  EXPECT_EQ(line.tip, "full: 0.3 ± 0.04 px in the last frame");
+  EXPECT_EQ(figure.chart.panels[0].series[0].kind, SeriesKind::kBand);
+  EXPECT_EQ(figure.chart.panels[0].title, "room");
+  EXPECT_THAT(SeriesNamed(figure.chart, "clustervo"), IsEmpty());
+  EXPECT_THAT(Drawn(AddCalibration, DrawnSuite({"clustervo"})).figures, IsEmpty());
+}
+
+TEST(CalibrationFigure, SaysHowManySequencesAreLeftOut) {
+  SuiteData data = Calibrated();
+  const DrawnRun run = data.drawn.back();
+  for (int i = 0; i < 7; ++i) {
+    data.drawn.push_back(run);
+    data.drawn.back().sequence = "room_" + std::to_string(i);
+  }
+  EXPECT_THAT(Drawn(AddCalibration, data).figures.at(0).caption,
+              HasSubstr("Only the first 6 of 8 sequences are shown."));
+}
+
+// Frames 10 to 15 with a temporal track of two frames. The spatial track holds frame 10 at frames
+// 12 and 13, and frame 12 at frame 15. Frame 14 is lost.
+TEST(FrameTracks, ShowWhenEachFrameWasInEachTrack) {
+  SuiteData data = DrawnSuite({"full"});
+  EXPECT_THAT(Drawn(AddFrameTracks, data).figures, IsEmpty()) << "older results";
+  std::vector<CameraFrame>& frames = data.drawn[0].detail.camera;
+  frames.assign(6, CameraFrame());
+  for (int i = 0; i < 6; ++i) {
+    frames[i].frame = 10 + i;
+    frames[i].window_frames = i == 0 ? 1 : i == 1 ? 2 : 3;
+  }
+  frames[2].spatial_ages = {2};
+  frames[3].spatial_ages = {3};
+  frames[4].window_frames = 0;
+  frames[5].spatial_ages = {3};
+  const Figure figure = Drawn(AddFrameTracks, data).figures.at(0);
+  const Series spatial = SeriesNamed(figure.chart, "spatial track").at(0);
+  EXPECT_THAT(XsOf(spatial), ElementsAre(12, 13, -1, 15, 15, -1));
+  EXPECT_THAT(YsOf(spatial), ElementsAre(10, 10, -1, 12, 12, -1));
+  const Series temporal = SeriesNamed(figure.chart, "temporal track").at(0);
+  EXPECT_THAT(XsOf(temporal), ElementsAre(10, 11, 12, 13, 15));
+  std::vector<double> oldest;
+  for (const Datum& datum : temporal.data) oldest.push_back(datum.y_interval->low);
+  EXPECT_THAT(oldest, ElementsAre(10, 10, 11, 12, 13));
+}
+
+}  // namespace
+}  // namespace cvo::reports

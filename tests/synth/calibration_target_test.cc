@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "synth/render/renderer.h"
+#include "tests/synth/worlds.h"
+
+namespace cvo::synth {
+namespace {
+
+StereoCamera IndoorRig() {
+  StereoCamera rig;
+  rig.fx = rig.fy = 450.0;
+  rig.cx = 319.5;
+  rig.cy = 239.5;
+  rig.baseline_m = 0.12;
+  rig.width_px = 640;
+  rig.height_px = 480;
+  return rig;
+}
+
+StereoCamera StreetRig() {
+  StereoCamera rig;
+  rig.fx = rig.fy = 721.5;
+  rig.cx = 609.6;
+  rig.cy = 172.9;
+  rig.baseline_m = 0.54;
+  rig.width_px = 1242;
+  rig.height_px = 375;
+  return rig;
+}
+
+// Returns the offsets, in pixels, of the corners found in the images from their projections.
+std::vector<cv::Point2d> CornerErrors(const StereoCamera& rig) {
+  const CalibrationTarget target = MakeCalibrationTarget(rig);
+  Renderer renderer(target.world, 2);
+  std::vector<cv::Point2d> errors;
+  for (const View& view : target.views) {
+    const Rendering rendering = renderer.Draw(view);
+    const RigidTransform left_from_board = view.world_from_left.Inverse();
+    for (const bool right : {false, true}) {
+      const cv::Mat image = LumaOf(right ? rendering.right : rendering.left);
+      for (const Eigen::Vector3d& corner : target.corners_m) {
+        const Eigen::Vector3d z = rig.Project(left_from_board * corner).value();
+        const cv::Point2d expected(right ? z[2] : z[0], z[1]);
+        const cv::Rect2d inside(10.0, 10.0, rig.width_px - 21.0, rig.height_px - 21.0);
+        EXPECT_TRUE(inside.contains(expected)) << expected;
+        std::vector<cv::Point2f> found = {expected};
+        cv::cornerSubPix(image, found, {kCornerWindow_px, kCornerWindow_px}, {-1, -1},
+                         {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 50, 1e-4});
+        errors.push_back(cv::Point2d(found[0]) - expected);
+      }
+    }
+  }
+  return errors;
+}
+
+void ExpectExact(const StereoCamera& rig) {
+  cv::Point2d sum;
+  double worst = 0.0;
+  const std::vector<cv::Point2d> errors = CornerErrors(rig);
+  for (const cv::Point2d& error : errors) {
+    sum += error;
+    worst = std::max(worst, cv::norm(error));
+  }
+  EXPECT_GT(worst, 0.0);  // cornerSubPix returns the initial guess if it fails
+  EXPECT_LT(worst, 0.05);
+  EXPECT_LT(cv::norm(sum) / static_cast<double>(errors.size()), 0.003);
+}
+
+TEST(CalibrationTarget, CornersAreAtTheirProjectionsIndoors) { ExpectExact(IndoorRig()); }
+
+TEST(CalibrationTarget, CornersAreAtTheirProjectionsInTheStreet) { ExpectExact(StreetRig()); }
+
+TEST(CalibrationTarget, ShiftOfTheRightImageIsDrawn) {
+  StereoCamera rig = IndoorRig();
+  rig.right_shift_px = 0.7;
+  ExpectExact(rig);
+}
+
+// Returns the column and row at which the right camera, with its error, sees a point that is given
+// in the frame of the left camera.
+Eigen::Vector2d InRight(const RigError& error, const Eigen::Vector3d& p_in_left) {
+  const StereoCamera rig = StreetRig();
+  const Eigen::Vector4d clip = ClipFromRight(rig, error) * p_in_left.homogeneous();
+  return {(clip[0] / clip[3] + 1.0) * rig.width_px / 2.0 - 0.5,
+          (clip[1] / clip[3] + 1.0) * rig.height_px / 2.0 - 0.5};
+}
+
+TEST(RigError, ShiftsProjectionsIntoTheRightCamera) {
+  const StereoCamera rig = StreetRig();
+  const Eigen::Vector3d p(3.0, -1.0, 20.0);
+  const Eigen::Vector3d z_px = rig.Project(p).value();
+  const Eigen::Vector2d as_calibrated(z_px[2], z_px[1]);
+  EXPECT_LT((InRight({}, p) - as_calibrated).norm(), 1e-9);
+  const Eigen::Vector2d shifted = InRight({.shift_px = 0.2}, p) - as_calibrated;
+  EXPECT_LT((shifted - Eigen::Vector2d(0.2, 0.0)).norm(), 1e-9);
+  const Eigen::Vector2d longer = InRight({.focal = 0.01}, p) - as_calibrated;
+  EXPECT_NEAR(longer.x(), 0.01 * (z_px[2] - rig.cx), 1e-9);
+  // When the camera turns to its right, points move to the left by f (1 + x^2) per radian.
+  const double x = (z_px[2] - rig.cx) / rig.fx;
+  const Eigen::Vector2d turned = InRight({.rotation_deg = {0.0, 0.001, 0.0}}, p) - as_calibrated;
+  EXPECT_NEAR(turned.x(), -rig.fx * (1.0 + x * x) * 0.001 * std::acos(-1.0) / 180.0, 1e-5);
+}
+
+// A body of 1 m, 4 m in front of a camera of 20 x 10 pixels, drawn as its near face.
+class EdgeDepth : public testing::Test {
+ protected:
+  EdgeDepth() {
+    rig_ = {.fx = 20,
+            .fy = 20,
+            .cx = 9.5,
+            .cy = 4.5,
+            .baseline_m = 0.1,
+            .width_px = 20,
+            .height_px = 10};
+    Body body;
+    body.id = 1;
+    body.size_m = {1.0, 1.0, 1.0};
+    bodies_ = {body};
+    view_.world_from_body = {RigidTransform(Eigen::Quaterniond::Identity(), {0, 0, 4})};
+    rendering_.depth = cv::Mat(10, 20, CV_32FC1, cv::Scalar(8.0));
+    rendering_.instances = cv::Mat::zeros(10, 20, CV_16UC1);
+    const cv::Rect face(8, 3, 4, 4);
+    rendering_.depth(face).setTo(3.5);
+    rendering_.instances(face).setTo(1);
+  }
+
+  StereoCamera rig_;
+  std::vector<Body> bodies_;
+  View view_;
+  Rendering rendering_;
+};
+
+TEST_F(EdgeDepth, LeavesDepthWithinTheBox) {
+  const cv::Mat drawn = rendering_.depth.clone();
+  CorrectEdgeDepth(rig_, bodies_, view_, rendering_);
+  EXPECT_EQ(cv::norm(drawn, rendering_.depth, cv::NORM_INF), 0.0);
+}
+
+TEST_F(EdgeDepth, TakesDepthOutsideTheBoxFromNeighbours) {
+  rendering_.depth.at<float>(3, 9) = 3.1F;   // in front of the box
+  rendering_.depth.at<float>(6, 11) = 5.2F;  // behind it, at a corner of the mask
+  CorrectEdgeDepth(rig_, bodies_, view_, rendering_);
+  EXPECT_FLOAT_EQ(rendering_.depth.at<float>(3, 9), 3.5F);
+  EXPECT_FLOAT_EQ(rendering_.depth.at<float>(6, 11), 3.5F);
+}
+
+TEST_F(EdgeDepth, LeavesTheBackgroundAndBodiesWithoutSizeAlone) {
+  rendering_.depth.at<float>(0, 0) = 0.1F;
+  CorrectEdgeDepth(rig_, bodies_, view_, rendering_);
+  EXPECT_FLOAT_EQ(rendering_.depth.at<float>(0, 0), 0.1F);
+  bodies_[0].size_m.setZero();
+  rendering_.depth.at<float>(3, 9) = 3.1F;
+  CorrectEdgeDepth(rig_, bodies_, view_, rendering_);
+  EXPECT_FLOAT_EQ(rendering_.depth.at<float>(3, 9), 3.1F);
+}
+
+}  // namespace
+}  // namespace cvo::synth

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "synth/truth/truth.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <opencv2/core.hpp>
+
+#include "tests/synth/worlds.h"
+
+namespace cvo::synth {
+namespace {
+
+TEST(ComputeTruth, VisibleBoxEndsAtTheOuterPixelsOfTheMask) {
+  const World world = OneBoxWorld();
+  Rendering rendering = EmptyRendering(world);
+  rendering.instances(cv::Rect(20, 30, 5, 4)).setTo(1);
+  rendering.instances.at<std::uint16_t>(40, 22) = 1;
+  rendering.alone_px = {84};
+  const BodyTruth body = ComputeTruth(world, 0, rendering).bodies.at(0);
+  EXPECT_EQ(body.visible_px, 21);
+  EXPECT_DOUBLE_EQ(body.visible_fraction, 0.25);
+  ASSERT_TRUE(body.visible_box);
+  EXPECT_EQ(body.visible_box->left, 20);
+  EXPECT_EQ(body.visible_box->right, 24);
+  EXPECT_EQ(body.visible_box->top, 30);
+  EXPECT_EQ(body.visible_box->bottom, 40);
+}
+
+TEST(ComputeTruth, HiddenBodyHasNoVisibleBox) {
+  const World world = OneBoxWorld();
+  const BodyTruth body = ComputeTruth(world, 0, EmptyRendering(world)).bodies.at(0);
+  EXPECT_FALSE(body.visible_box);
+  EXPECT_EQ(body.visible_fraction, 0.0);
+  EXPECT_TRUE(body.amodal_box);
+}
+
+// Front face at 4 m: half width 1 m is 25 px, half height 0.75 m is 18.75 px.
+TEST(ComputeTruth, AmodalBoxIsTheProjectionOfTheMesh) {
+  const World world = OneBoxWorld();
+  const BodyTruth body = ComputeTruth(world, 0, EmptyRendering(world)).bodies.at(0);
+  ASSERT_TRUE(body.amodal_box);
+  EXPECT_NEAR(body.amodal_box->left, 24.5, 1e-9);
+  EXPECT_NEAR(body.amodal_box->right, 74.5, 1e-9);
+  EXPECT_NEAR(body.amodal_box->top, 20.75, 1e-9);
+  EXPECT_NEAR(body.amodal_box->bottom, 58.25, 1e-9);
+  EXPECT_NEAR(body.truncation, 0.0, 1e-12);
+}
+
+// 2 m further left the front face spans -25.5 px to 24.5 px; the image begins at 0.
+TEST(ComputeTruth, TruncationIsThePartOutsideTheImage) {
+  const World world = OneBoxWorld({4.5, 2.0, 0.0});
+  const BodyTruth body = ComputeTruth(world, 0, EmptyRendering(world)).bodies.at(0);
+  ASSERT_TRUE(body.amodal_box);
+  EXPECT_EQ(body.amodal_box->left, 0.0);
+  const double right = 49.5 - 100.0 / 5.0;  // right side of the back face, at 5 m
+  EXPECT_NEAR(body.amodal_box->right, right, 1e-9);
+  EXPECT_NEAR(body.truncation, 25.5 / (25.5 + right), 1e-9);
+}
+
+TEST(ComputeTruth, BodyBehindTheCameraHasNoAmodalBox) {
+  const World world = OneBoxWorld({-4.0, 0.0, 0.0});
+  const BodyTruth body = ComputeTruth(world, 0, EmptyRendering(world)).bodies.at(0);
+  EXPECT_FALSE(body.amodal_box);
+  EXPECT_EQ(body.truncation, 1.0);
+}
+
+// The corner of the triangle behind the camera must not be projected; the intersections of its
+// sides with the near plane must.
+TEST(ProjectedBox, ClipsTrianglesAtTheNearPlane) {
+  StereoCamera rig = OneBoxWorld().rig;
+  Mesh mesh;
+  for (const Eigen::Vector3f& p :
+       {Eigen::Vector3f(0, 0, 2), Eigen::Vector3f(0.2F, 0, 2), Eigen::Vector3f(1, 0, -1)}) {
+    mesh.vertices.push_back({p, Eigen::Vector3f::UnitX(), Eigen::Vector2f::Zero()});
+  }
+  mesh.indices = {0, 1, 2};
+  ProjectedBox projection(rig);
+  projection.Add(mesh, RigidTransform());
+  ASSERT_TRUE(projection.box());
+  EXPECT_NEAR(projection.box()->left, 49.5, 1e-9);
+  // On the side from (0.2, 0, 2) to (1, 0, -1), z = 0.05 at 1.95 / 3 of the way.
+  EXPECT_NEAR(projection.box()->right, 49.5 + 100.0 * (0.2 + 0.8 * 0.65) / 0.05, 1e-3);
+}
+
+TEST(FormatLabels, MatchesAHandComputedRow) {
+  const World world = OneBoxWorld();
+  Rendering rendering = EmptyRendering(world);
+  rendering.instances(cv::Rect(40, 30, 10, 10)).setTo(1);
+  rendering.alone_px = {200};
+  // The centre of the bottom is 4.5 m ahead and 0.75 m below. The body faces along the camera's z
+  // axis, which is a rotation by -90 degrees about its y axis.
+  EXPECT_EQ(FormatLabels(world, ComputeTruth(world, 0, rendering), 7),
+            "7 1 Block 0.000000 1 -1.570796 24.500000 20.750000 74.500000 58.250000 1.500000 "
+            "2.000000 1.000000 0.000000 0.750000 4.500000 -1.570796\n");
+}
+
+TEST(FormatLabels, OcclusionFollowsTheVisibleFraction) {
+  const World world = OneBoxWorld();
+  const auto occlusion = [&](int visible_px) {
+    Rendering rendering = EmptyRendering(world);
+    if (visible_px > 0) rendering.instances(cv::Rect(0, 0, visible_px, 1)).setTo(1);
+    rendering.alone_px = {100};
+    const std::string row = FormatLabels(world, ComputeTruth(world, 0, rendering), 0);
+    return row.substr(std::string("0 1 Block 0.000000 ").size(), 1);
+  };
+  EXPECT_EQ(occlusion(80), "0");
+  EXPECT_EQ(occlusion(79), "1");
+  EXPECT_EQ(occlusion(30), "1");
+  EXPECT_EQ(occlusion(29), "2");
+  EXPECT_EQ(occlusion(0), "3");
+}
+
+TEST(FormatLabels, HasNoRowOutOfView) {
+  const World world = OneBoxWorld({-4.0, 0.0, 0.0});
+  EXPECT_EQ(FormatLabels(world, ComputeTruth(world, 0, EmptyRendering(world)), 0), "");
+}
+
+TEST(FormatKittiCalibration, RightCameraHasTheBaseline) {
+  const std::string text = FormatKittiCalibration(OneBoxWorld().rig);
+  EXPECT_THAT(text, testing::StartsWith("P0: 100 0 49.5 0 0 100 39.5 0 0 0 1 0\n"
+                                        "P1: 100 0 49.5 -20 0 100 39.5 0 0 0 1 0\n"
+                                        "P2: 100 0 49.5 0 "));
+}
+
+// A fronto-parallel wall 2 m ahead, part of body 1; the camera is at the world origin.
+struct WallScene {
+  WallScene() : rig(OneBoxWorld().rig), rendering(EmptyRendering(OneBoxWorld())) {
+    rendering.depth.setTo(2.0);
+    rendering.instances.setTo(1);
+    now.world_from_body.resize(1);
+    next = now;
+  }
+
+  double U(int v, int u) const { return (Code(v, u)[2] - 32768.0) / 64.0; }
+  double V(int v, int u) const { return (Code(v, u)[1] - 32768.0) / 64.0; }
+  bool Valid(int v, int u) const { return Code(v, u)[0] == 1; }
+  cv::Vec3w Code(int v, int u) const {
+    return ComputeFlow(rig, rendering, now, next).at<cv::Vec3w>(v, u);
+  }
+
+  StereoCamera rig;
+  Rendering rendering;
+  View now;
+  View next;
+};
+
+RigidTransform Shift(double x, double y, double z) {
+  return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z)};
+}
+
+TEST(ComputeFlow, TranslatingPlane) {
+  WallScene scene;
+  scene.next.world_from_body[0] = Shift(0.1, -0.04, 0.0);
+  EXPECT_EQ(scene.U(10, 20), 5.0);  // 100 * 0.1 / 2
+  EXPECT_EQ(scene.V(10, 20), -2.0);
+  EXPECT_TRUE(scene.Valid(10, 20));
+}
+
+TEST(ComputeFlow, CameraMotionCausesOppositeFlow) {
+  WallScene scene;
+  scene.next.world_from_left = Shift(0.1, 0.0, 0.0);
+  EXPECT_EQ(scene.U(40, 50), -5.0);
+  scene.rendering.instances.setTo(0);
+  EXPECT_EQ(scene.U(40, 50), -5.0);
+}
+
+// At half the distance everything is twice as far from the principal point.
+TEST(ComputeFlow, ApproachingPlaneExpands) {
+  WallScene scene;
+  scene.next.world_from_body[0] = Shift(0.0, 0.0, -1.0);
+  EXPECT_EQ(scene.U(40, 60), 10.5);
+  EXPECT_EQ(scene.V(30, 60), -9.5);
+}
+
+TEST(ComputeFlow, InvalidWithoutSurface) {
+  WallScene scene;
+  scene.rendering.depth.at<float>(5, 6) = 0.0F;
+  EXPECT_EQ(scene.Code(5, 6), cv::Vec3w(0, 0, 0));
+}
+
+TEST(ComputeFlow, ValidOutsideTheImageUpTo512Pixels) {
+  WallScene scene;
+  scene.next.world_from_body[0] = Shift(10.0, 0.0, 0.0);  // 500 px
+  EXPECT_TRUE(scene.Valid(40, 90));
+  EXPECT_EQ(scene.U(40, 90), 500.0);
+  scene.next.world_from_body[0] = Shift(10.3, 0.0, 0.0);
+  EXPECT_FALSE(scene.Valid(40, 90));
+  scene.next.world_from_body[0] = Shift(0.0, 0.0, -3.0);  // behind the camera
+  EXPECT_FALSE(scene.Valid(40, 90));
+}
+
+}  // namespace
+}  // namespace cvo::synth
