@@ -45,7 +45,7 @@ std::vector<Segment> Dashes(const Segment& segment, double dash_px) {
   const double length_px = std::hypot(step.x, step.y);
   if (!(length_px > dash_px)) return {segment};
   std::vector<Segment> dashes;
-  for (double begin_px = 0.0; begin_px < length_px; begin_px += 1.8 * dash_px) {
+  for (double begin_px = 0.0; begin_px < length_px; begin_px += 2.0 * dash_px) {
     const double end_px = std::min(begin_px + dash_px, length_px);
     dashes.emplace_back(segment.first + begin_px / length_px * step,
                         segment.first + end_px / length_px * step);

@@ -133,7 +133,7 @@ TEST(DrawOverlay, APredictedBoxIsDashed) {
   };
   EXPECT_EQ(drawn(false), 90);
   EXPECT_GT(drawn(true), 30);
-  EXPECT_LT(drawn(true), 80);  // gaps of a third, less the width of the smoothed ends
+  EXPECT_LT(drawn(true), 70);
 }
 
 TEST(DrawOverlay, ClustersBehindTheCameraAreNotDrawn) {
