@@ -16,10 +16,10 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
+#include "core/record/plan_file.h"
+#include "core/record/run_summary.h"
 #include "experiments/record/run_result.h"
 #include "experiments/suite/collection.h"
-#include "reports/results/plan_file.h"
-#include "reports/results/run_summary.h"
 
 namespace cvo {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/interface/frame.h"
+#include "core/record/body_row.h"
 #include "experiments/metrics/pose_errors.h"
-#include "reports/results/body_row.h"
 
 namespace cvo {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
-#include "reports/results/metric_catalogue.h"
-#include "reports/results/metric_value.h"
+#include "core/record/metric_catalogue.h"
+#include "core/record/metric_value.h"
 
 namespace cvo {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "reports/results/build_info.h"
+#include "core/record/build_info.h"
 
 namespace cvo {
 

@@ -9,12 +9,12 @@
 
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
+#include "core/record/run_summary.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/pose_errors.h"
 #include "experiments/record/build_identity.h"
 #include "experiments/record/run_result.h"
 #include "experiments/record/truth_file.h"
-#include "reports/results/run_summary.h"
 
 namespace cvo {
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/files/json/json.h"
+#include "core/record/run_summary.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/objects/object_matching.h"
 #include "experiments/metrics/pose_errors.h"
 #include "experiments/record/build_identity.h"
-#include "reports/results/run_summary.h"
 
 namespace cvo {
 

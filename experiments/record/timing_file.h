@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/files/text_file.h"
+#include "core/record/timing.h"
 #include "experiments/record/run_result.h"
-#include "reports/results/timing.h"
 
 namespace cvo {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/record/truth_file.h"
 
-#include "reports/results/truth.h"
+#include "core/record/truth.h"
 
 namespace cvo {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/files/json/json.h"
-#include "reports/results/plan_file.h"
+#include "core/record/plan_file.h"
 
 namespace cvo {
 

@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/figures/numbers.h"
 #include "reports/figures/suite_parts.h"
-#include "reports/results/metric_catalogue.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo::reports {

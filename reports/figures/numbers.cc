@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
-#include "reports/results/contract_text.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/contract_text.h"
+#include "core/record/metric_catalogue.h"
 
 namespace cvo::reports {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/record/suite_runs.h"
 #include "reports/chart/chart.h"
-#include "reports/results/suite_runs.h"
 #include "reports/runs/identity_switches.h"
 #include "reports/runs/run_detail.h"
 #include "reports/tables/table.h"

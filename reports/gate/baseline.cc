@@ -7,8 +7,8 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "reports/results/metric_catalogue.h"
-#include "reports/results/timing.h"
+#include "core/record/metric_catalogue.h"
+#include "core/record/timing.h"
 #include "reports/tables/cells.h"
 
 namespace cvo::reports {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/suite_runs.h"
+#include "core/record/suite_runs.h"
 
 namespace cvo::reports {
 

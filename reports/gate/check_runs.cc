@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/utf8.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
 
 namespace cvo::reports {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
-#include "reports/results/run_summary.h"
+#include "core/record/run_summary.h"
 #include "reports/runs/run_detail.h"
 
 namespace cvo::reports {

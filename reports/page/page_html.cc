@@ -7,10 +7,10 @@
 #include "core/base/lists.h"
 #include "core/files/sha256.h"
 #include "core/files/text/utf8.h"
+#include "core/record/contract_text.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/figures/numbers.h"
 #include "reports/page/html.h"
-#include "reports/results/contract_text.h"
-#include "reports/results/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "core/files/text/closest_names.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/runs/paired_runs.h"
 #include "reports/tables/cells.h"
 

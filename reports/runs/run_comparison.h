@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/run_summary.h"
+#include "core/record/run_summary.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {

@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "core/files/text_file.h"
-#include "reports/results/run_summary.h"
-#include "reports/results/timing.h"
+#include "core/record/run_summary.h"
+#include "core/record/timing.h"
 
 namespace cvo::reports {
 namespace {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/calibration_state.h"
-#include "reports/results/timing.h"
-#include "reports/results/truth.h"
+#include "core/record/calibration_state.h"
+#include "core/record/timing.h"
+#include "core/record/truth.h"
 
 namespace cvo::reports {
 

@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
-#include "reports/results/suite_runs.h"
-#include "reports/results/timing.h"
+#include "core/record/suite_runs.h"
+#include "core/record/timing.h"
 #include "reports/runs/run_detail.h"
 
 namespace cvo::reports {

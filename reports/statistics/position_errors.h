@@ -7,19 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/record/body_row.h"
+
 namespace cvo::reports {
-
-// Position errors of a body, frame by frame.
-struct FrameErrors {
-  std::vector<int> frames;  // ascending
-  std::vector<double> position_m;
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("frames", self.frames);
-    archive.Field("position_m", self.position_m);
-  }
-};
 
 // Root mean square errors of both over the frames that both have. Empty if they have no frame in
 // common.

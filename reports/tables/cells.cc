@@ -9,8 +9,9 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
+#include "reports/statistics/position_errors.h"
 
 namespace cvo::reports {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "reports/results/metric_catalogue.h"
-#include "reports/results/run_summary.h"
-#include "reports/results/suite_runs.h"
+#include "core/record/metric_catalogue.h"
+#include "core/record/run_summary.h"
+#include "core/record/suite_runs.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/table.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/tables/cells.h"
 
 namespace cvo::reports {

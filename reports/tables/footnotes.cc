@@ -5,8 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/results/contract_text.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/contract_text.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/table_texts.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/lists.h"
 #include "core/files/text_file.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {

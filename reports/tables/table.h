@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "reports/results/run_summary.h"
+#include "core/record/run_summary.h"
 
 namespace cvo::reports {
 

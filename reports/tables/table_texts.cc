@@ -11,7 +11,7 @@
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {

@@ -10,6 +10,10 @@
 #include "core/files/json/options_json.h"
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
+#include "core/record/metric_catalogue.h"
+#include "core/record/run_summary.h"
+#include "core/record/timing.h"
+#include "core/record/truth.h"
 #include "experiments/cache/front_end_cache.h"
 #include "experiments/calibration/kitti_calibration.h"
 #include "experiments/calibration/rig_file.h"
@@ -23,10 +27,6 @@
 #include "experiments/suite/plan/build_plan.h"
 #include "experiments/suite/suite.h"
 #include "reports/gate/baseline.h"
-#include "reports/results/metric_catalogue.h"
-#include "reports/results/run_summary.h"
-#include "reports/results/timing.h"
-#include "reports/results/truth.h"
 #include "reports/runs/run_detail.h"
 #include "reports/tables/table.h"
 #include "synth/family/family.h"
@@ -47,7 +47,7 @@ std::string Source(const std::string& name) {
 }
 
 std::string Golden(const std::string& name) {
-  return Source("tests/reports/results/golden/" + name + ".json");
+  return Source("tests/core/record/golden/" + name + ".json");
 }
 
 std::string DefaultOptions() {

@@ -70,7 +70,7 @@ std::vector<Part> MakeParts() {
   parts.push_back({"experiments/calibration/", {"core/", "experiments/calibration/"}, {}});
   const std::vector<std::string> readers = {"core/", "experiments/calibration/",
                                             "experiments/datasets/", "experiments/metrics/",
-                                            "reports/results/"};
+                                            "core/record/"};
   // Reads single files, independently of the sequence that they belong to.
   parts.push_back({"experiments/datasets/formats/",
                    {"core/base/", "core/geometry/", "core/files/", "experiments/datasets/formats/"},
@@ -92,8 +92,8 @@ std::vector<Part> MakeParts() {
                    {}});
   parts.push_back({"experiments/yolo/", {"core/", "experiments/yolo/"}, {}});
   // Results are written with the schema with which reports read them.
-  std::vector<std::string> below = {"core/", "variants/", "reports/results/",
-                                    "experiments/datasets/", "experiments/metrics/"};
+  std::vector<std::string> below = {"core/", "variants/", "core/record/", "experiments/datasets/",
+                                    "experiments/metrics/"};
   parts.push_back({"experiments/suite/shipped/", {"experiments/suite/shipped/"}, {}});
   for (const char* folder :
        {"cache", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {

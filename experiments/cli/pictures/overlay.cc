@@ -16,6 +16,7 @@
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
+#include "core/record/suite_runs.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/pictures/run_images.h"
@@ -28,7 +29,6 @@
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/overlay_run.h"
 #include "reports/overlays/picture_files.h"
-#include "reports/results/suite_runs.h"
 #include "variants/registry.h"
 
 namespace cvo {

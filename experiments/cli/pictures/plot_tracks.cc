@@ -9,9 +9,9 @@
 #include "core/base/error.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
+#include "core/record/run_summary.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/metrics/alignment.h"
-#include "reports/results/run_summary.h"
 
 namespace cvo {
 namespace {

@@ -11,6 +11,7 @@
 #include "core/files/json/json_record.h"
 #include "core/files/json/options_json.h"
 #include "core/files/text/closest_names.h"
+#include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/pictures/run_images.h"
@@ -22,7 +23,6 @@
 #include "experiments/runner/oracle.h"
 #include "experiments/runner/run_job.h"
 #include "reports/chart/chart.h"
-#include "reports/results/run_summary.h"
 #include "reports/runs/body_story.h"
 
 namespace cvo {

@@ -15,6 +15,8 @@
 #include "core/files/atomic_file.h"
 #include "core/files/json/json_record.h"
 #include "core/files/text/closest_names.h"
+#include "core/record/metric_catalogue.h"
+#include "core/record/plan_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/output_place.h"
@@ -25,8 +27,6 @@
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/picture_files.h"
 #include "reports/page/page.h"
-#include "reports/results/metric_catalogue.h"
-#include "reports/results/plan_file.h"
 #include "variants/registry.h"
 
 namespace cvo {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "core/files/json/options_json.h"
+#include "core/record/run_summary.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/record/job_identity.h"
-#include "reports/results/run_summary.h"
 
 namespace cvo {
 namespace {

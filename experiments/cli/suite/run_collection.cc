@@ -8,6 +8,8 @@
 #include "core/base/lists.h"
 #include "core/files/json/json_record.h"
 #include "core/files/text/number.h"
+#include "core/record/suite_runs.h"
+#include "core/record/timing.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/output_place.h"
 #include "experiments/cli/pictures/overlay.h"
@@ -18,8 +20,6 @@
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/suite.h"
 #include "reports/page/html.h"
-#include "reports/results/suite_runs.h"
-#include "reports/results/timing.h"
 #include "reports/runs/suite_times.h"
 #include "reports/tables/make_table.h"
 

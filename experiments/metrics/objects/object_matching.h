@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/record/contract.h"
 #include "experiments/metrics/pose_errors.h"
-#include "reports/results/contract.h"
 
 namespace cvo {
 

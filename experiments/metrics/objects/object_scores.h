@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "core/record/body_row.h"
 #include "experiments/metrics/objects/object_matching.h"
 #include "experiments/metrics/pose_errors.h"
-#include "reports/results/body_row.h"
 
 namespace cvo {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "reports/results/timing.h"
+#include "core/record/timing.h"
 
 namespace cvo {
 namespace {

@@ -11,9 +11,9 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "core/files/text/number.h"
+#include "tests/core/record/result_files.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/reports/results/result_files.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
@@ -221,10 +221,9 @@ TEST(CliFigures, NamesStayTextAndBytesAreReproducible) {
                              HasSubstr("not drawn: Time by stage")));
   const std::string svg = test::ReadFile(suite.out() / "error-reduction.svg");
   EXPECT_THAT(svg, StartsWith("<svg"));
-  EXPECT_THAT(svg,
-              AllOf(HasSubstr("Change in error relative to full, in percent"),
-                    HasSubstr("room &lt;script&gt;alert(1)&lt;/script&gt;"), HasSubstr("(+100)"),
-                    HasSubstr("brackets:"), Not(HasSubstr("<script"))));
+  EXPECT_THAT(svg, AllOf(HasSubstr("Change in error relative to full, in percent"),
+                         HasSubstr("room &lt;script&gt;alert(1)&lt;/script&gt;"),
+                         HasSubstr("(+100)"), HasSubstr("brackets:"), Not(HasSubstr("<script"))));
   suite.Draw({});
   EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.svg"), svg);
 }

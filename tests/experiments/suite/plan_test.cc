@@ -6,14 +6,14 @@
 #include <cstdlib>
 #include <set>
 
+#include "core/record/metric_catalogue.h"
+#include "core/record/timing.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/job_input.h"
 #include "experiments/suite/plan/build_plan.h"
 #include "experiments/suite/plan/inputs.h"
 #include "experiments/suite/plan/plan_outlook.h"
-#include "reports/results/metric_catalogue.h"
-#include "reports/results/timing.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
 #include "tests/experiments/runner/tiny_sequence.h"

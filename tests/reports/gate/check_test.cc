@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/base/rng.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/gate/check_runs.h"
-#include "reports/results/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
 #include "tests/reports/gate/gate_folder.h"
 #include "tests/support/error_message.h"

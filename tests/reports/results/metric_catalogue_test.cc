@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/results/metric_catalogue.h"
+#include "core/record/metric_catalogue.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "reports/results/body_row.h"
-#include "reports/results/build_info.h"
-#include "reports/results/calibration_state.h"
-#include "reports/results/metric_value.h"
+#include "core/record/body_row.h"
+#include "core/record/build_info.h"
+#include "core/record/calibration_state.h"
+#include "core/record/metric_value.h"
 
 namespace cvo::reports {
 

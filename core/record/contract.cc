@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/results/contract.h"
+#include "core/record/contract.h"
 
 #include "core/base/error.h"
 

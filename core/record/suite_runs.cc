@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/results/suite_runs.h"
+#include "core/record/suite_runs.h"
 
-#include "reports/results/plan_file.h"
+#include "core/record/plan_file.h"
 
 namespace cvo::reports {
 namespace {

@@ -6,11 +6,23 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/files/json/json_record.h"
-#include "reports/statistics/position_errors.h"
 
 namespace cvo::reports {
+
+// Position errors of a body, frame by frame.
+struct FrameErrors {
+  std::vector<int> frames;  // ascending
+  std::vector<double> position_m;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("frames", self.frames);
+    archive.Field("position_m", self.position_m);
+  }
+};
 
 // The largest errors over a run, angles as absolute values.
 struct MaxDrift {

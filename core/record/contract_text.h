@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reports/results/contract.h"
+#include "core/record/contract.h"
 
 namespace cvo::reports {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/results/run_summary.h"
+#include "core/record/run_summary.h"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 
 #include "core/base/lists.h"
 #include "core/files/text_file.h"
-#include "reports/results/metric_catalogue.h"
+#include "core/record/metric_catalogue.h"
 
 namespace cvo::reports {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "reports/results/contract.h"
+#include "core/record/contract.h"
 
 namespace cvo::reports {
 

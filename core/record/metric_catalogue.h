@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "reports/results/body_row.h"
-#include "reports/results/contract.h"
+#include "core/record/body_row.h"
+#include "core/record/contract.h"
 
 namespace cvo::reports {
 
