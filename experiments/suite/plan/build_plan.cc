@@ -85,12 +85,6 @@ struct Resolved {
   std::string identity_head;
   std::string front_end;  // front-end options, as text
 };
-// The job as it is once its input is located.
-PlanJob WithInput(PlanJob job, const Input& input) {
-  job.folder = input.folder;
-  job.boxes = input.boxes;
-  return job;
-}
 
 constexpr std::size_t kNameDigits = 8;
 constexpr std::size_t kMaxResolved = 10'000;  // 7 kB each
@@ -111,22 +105,202 @@ class Planner {
     hooks_.notice = request.notice;
   }
 
-  BuiltPlan Build();
+  BuiltPlan Build() {
+    BuiltPlan built;
+    built.plan.suite = suite_;
+    built.plan.build = build_.identity;
+    built.plan.data = data_.root().string();
+    built.plan.jobs = ExpandSuite(suite_);
+    for (std::size_t i = 0; i < built.plan.jobs.size(); ++i) {
+      PlanInput(built.plan.jobs[i]);
+      if (request_.progress) request_.progress(i + 1, built.plan.jobs.size());
+    }
+    OrderPreparations();
+    for (auto& [key, wanted] : wanted_) built.preparations.push_back(std::move(wanted));
+    return built;
+  }
 
  private:
   const SuiteSequence& SequenceOf(const PlanJob& job) const { return suite_.sequences[job.entry]; }
-  Input& InputOf(const PlanJob& job);
-  const Resolved& ResolvedOf(const PlanJob& job);
-  const std::string& FrontEndKeyOf(const Resolved& resolved, Input& input) const;
-  Input FindInput(const PlanJob& job);
-  void Open(const PlanJob& job, Input& input);
-  std::vector<std::string> Hashes(const std::vector<fs::path>& files);
-  bool IsRendered(RenderedScene& scene);
-  void PlanInput(PlanJob& job);
-  void IdentifyFiles(const Input& input, PlanJob& job) const;
-  void AddRender(const RenderedScene& scene, const PlanJob& job);
-  void FindBoxes(const PlanJob& job, Input& input);
-  void OrderPreparations();
+
+  void AddRender(const RenderedScene& scene, const PlanJob& job) {
+    if (!wanted_outputs_.insert(scene.folder).second) return;
+    const std::string name =
+        StrCat("render-", job.sequence, "-", scene.folder.parent_path().filename().string());
+    wanted_.push_back({scene.drawing,
+                       {name, job.sequence, scene.folder, scene.arguments, scene.frames,
+                        scene.drawn ? Stage::kNoise : Stage::kDrawing}});
+  }
+
+  Sequence Opened(PlanJob job, const Input& input) const {
+    job.folder = input.folder;
+    job.boxes = input.boxes;
+    return OpenSequence(RequestOf(suite_, job, data_.root()));
+  }
+
+  // Locates the file of a detector's boxes; adds a preparation if it does not exist or is damaged.
+  void FindBoxes(const PlanJob& job, Input& input) {
+    const Sequence sequence = Opened(job, input);
+    input.frames = static_cast<int>(sequence.images.size());
+    const DetectedBoxes boxes = FindDetectedBoxes(
+        {SequenceOf(job), sequence, FindImageHashes(sequence, hash_index_, pool_, hooks_),
+         data_.root(), Absolute(request_.cache)},
+        hash_);
+    input.boxes = boxes.file.string();
+    if (boxes.whole) return;
+    std::error_code ignored;
+    if (fs::exists(boxes.file, ignored)) {
+      request_.notice("cached boxes are damaged and will be found again:  " + input.boxes);
+    }
+    input.missing = kNotDetected;
+    if (!wanted_outputs_.insert(boxes.file).second) return;
+    const std::string name =
+        StrCat("detect-", job.sequence, "-", boxes.file.stem().string().substr(0, kNameDigits));
+    wanted_.push_back(
+        {"", {name, job.sequence, boxes.file, boxes.arguments, input.frames, Stage::kBoxes}});
+  }
+
+  // A damaged scene is drawn again too, because it shares files with the cached drawing.
+  bool IsRendered(RenderedScene& scene) {
+    std::error_code ignored;
+    if (!fs::exists(scene.folder / synth::kManifestName, ignored)) return false;
+    const auto damage = FindSceneDamage(scene.folder, hash_);
+    if (!damage) return true;
+    request_.notice("a cached scene is damaged and will be rendered again:  " + *damage);
+    scene.drawn = false;
+    return false;
+  }
+
+  // Of the scenes that share a drawing one draws it, unless the cache has it.
+  void OrderPreparations() {
+    std::set<std::string> drawing;
+    for (auto& [key, wanted] : wanted_) {
+      if (wanted.stage == Stage::kDrawing && !drawing.insert(key).second)
+        wanted.stage = Stage::kNoise;
+    }
+    std::stable_sort(wanted_.begin(), wanted_.end(),
+                     [](const auto& a, const auto& b) { return a.second.stage < b.second.stage; });
+  }
+
+  void Open(const PlanJob& job, Input& input) {
+    if (!SequenceOf(job).detector.model.empty()) FindBoxes(job, input);
+    if (!input.missing.empty()) return;
+    input.sequence = Opened(job, input);
+    input.frames = static_cast<int>(input.sequence.images.size());
+    if (SequenceOf(job).scene.empty()) RequireAsRendered(input.sequence, hash_);
+    input.images = FindImageHashes(input.sequence, hash_index_, pool_, hooks_);
+    input.content = ContentHash(input.sequence, input.images);
+    input.detections = DetectionsHash(input.sequence);
+  }
+
+  Input FindInput(const PlanJob& job) {
+    const SuiteSequence& sequence = SequenceOf(job);
+    Input input;
+    try {
+      const std::string lacking = FindMissingFile(sequence, data_.root());
+      if (!lacking.empty() && !data_.root().empty()) {
+        input.missing = StrCat(kNoFile, lacking, " below ", data_.root().string());
+      }
+      if (sequence.scene.empty()) {
+        const DataFolder::Found found = data_.Find(sequence.folder);
+        if (!found.missing.empty()) input.missing = found.missing;
+        if (input.missing.empty()) input.folder = found.folder.string();
+      } else if (input.missing.empty()) {
+        RenderedScene scene = scenes_.Find(sequence, job.parameters, job.seed);
+        if (IsRendered(scene)) {
+          input.folder = scene.folder.string();
+        } else {
+          AddRender(scene, job);
+          input.missing = kNotRendered;
+          input.frames = scene.frames;
+        }
+      }
+      if (input.missing.empty()) Open(job, input);
+    } catch (const Error& error) {
+      input.missing = error.what();
+    }
+    return input;
+  }
+
+  Input& InputOf(const PlanJob& job) {
+    const SuiteSequence& sequence = SequenceOf(job);
+    std::string key =
+        StrCat(sequence.name, "\n", sequence.detections, "\n",
+               PerturbationToJson(PerturbationOf(sequence, job.parameters, job.seed)).dump(), "\n",
+               sequence.layout.dump(), "\n");
+    if (!sequence.scene.empty()) {
+      key += std::to_string(job.seed);
+      for (const std::string& assignment : SceneAssignments(sequence, job.parameters)) {
+        key += "\n" + assignment;
+      }
+    }
+    const auto found = inputs_.find(key);
+    return found != inputs_.end() ? found->second
+                                  : inputs_.emplace(key, FindInput(job)).first->second;
+  }
+
+  const Resolved& ResolvedOf(const PlanJob& job) {
+    std::string key = job.variant;
+    for (const auto& [path, value] : job.parameters.items()) {
+      if (IsOptionPath(path)) key += StrCat("\n", path, "=", value.dump());
+    }
+    const auto found = resolved_.find(key);
+    if (found != resolved_.end()) return found->second;
+    if (resolved_.size() >= kMaxResolved) resolved_.clear();
+    Resolved resolved;
+    resolved.options = OptionsOf(suite_, job.variant, job.parameters);
+    const Json options = OptionsToJson(OptionLeaves(resolved.options));
+    resolved.identity_head = IdentityHead(build_.identity, job.variant, options);
+    resolved.front_end = options["orb"].dump() + options["stereo"].dump();
+    return resolved_.emplace(key, std::move(resolved)).first->second;
+  }
+
+  const std::string& FrontEndKeyOf(const Resolved& resolved, Input& input) const {
+    const auto [found, added] = input.front_end_keys.try_emplace(resolved.front_end);
+    if (added) {
+      found->second = FrontEndKey({.build = build_.identity,
+                                   .camera = input.sequence.camera,
+                                   .orb = resolved.options.orb,
+                                   .stereo = resolved.options.stereo,
+                                   .perturbation = input.sequence.perturbation,
+                                   .rectification = input.sequence.rectification,
+                                   .first_frame = input.sequence.first_frame},
+                                  input.images);
+    }
+    return found->second;
+  }
+
+  void IdentifyFiles(const Input& input, PlanJob& job) const {
+    try {
+      job.job = IdentifySystem(
+          {.sequence = input.sequence,
+           .content = input.content,
+           .files = SystemFilesOf(suite_, job, data_.root(), Absolute(request_.cache)),
+           .seed = job.seed});
+    } catch (const Error& error) {
+      job.missing = error.what();
+    }
+  }
+
+  void PlanInput(PlanJob& job) {
+    Input& input = InputOf(job);
+    job.folder = input.folder;
+    job.boxes = input.boxes;
+    job.missing = input.missing;
+    job.frames = input.frames;
+    job.content = input.content;
+    if (!job.missing.empty()) return;
+    if (!job.system.empty()) {
+      IdentifyFiles(input, job);
+      return;
+    }
+    const Resolved& resolved = ResolvedOf(job);
+    job.input = FrontEndKeyOf(resolved, input);
+    job.job = JobIdentity(
+        resolved.identity_head,
+        {input.content, input.detections,
+         Given(input.sequence, ClassesOf(SequenceOf(job)), OracleOf(job.oracle)), job.seed});
+  }
 
   const Suite& suite_;
   const PlanRequest& request_;
@@ -135,208 +309,15 @@ class Planner {
   TaskPool pool_;
   fs::path hash_index_;
   FileHashHooks hooks_;
+  HashFiles hash_ = [this](const std::vector<fs::path>& files) {
+    return FindFileHashes(files, hash_index_, pool_, hooks_);
+  };
   BuildIdentity build_ = ThisBuild();
   std::map<std::string, Input> inputs_;
   std::map<std::string, Resolved> resolved_;
   std::vector<std::pair<std::string, Preparation>> wanted_;  // each with the key of its drawing
   std::set<fs::path> wanted_outputs_;
 };
-
-void Planner::AddRender(const RenderedScene& scene, const PlanJob& job) {
-  if (!wanted_outputs_.insert(scene.folder).second) return;
-  const std::string name =
-      StrCat("render-", job.sequence, "-", scene.folder.parent_path().filename().string());
-  wanted_.push_back({scene.drawing,
-                     {name, job.sequence, scene.folder, scene.arguments, scene.frames,
-                      scene.drawn ? Stage::kNoise : Stage::kDrawing}});
-}
-
-// Locates the file of a detector's boxes; adds a preparation if it does not exist or is damaged.
-void Planner::FindBoxes(const PlanJob& job, Input& input) {
-  const Sequence sequence = OpenSequence(RequestOf(suite_, WithInput(job, input), data_.root()));
-  input.frames = static_cast<int>(sequence.images.size());
-  const DetectorInput detector = {SequenceOf(job), sequence, data_.root()};
-  const fs::path file =
-      BoxesFile(detector, FindImageHashes(sequence, hash_index_, pool_, hooks_),
-                Absolute(request_.cache), [this](const auto& files) { return Hashes(files); });
-  input.boxes = file.string();
-  if (AreBoxesWhole(file, [this](const auto& files) { return Hashes(files); })) return;
-  std::error_code ignored;
-  if (fs::exists(file, ignored)) {
-    request_.notice("cached boxes are damaged and will be found again:  " + input.boxes);
-  }
-  input.missing = kNotDetected;
-  if (!wanted_outputs_.insert(file).second) return;
-  const std::string name =
-      StrCat("detect-", job.sequence, "-", file.stem().string().substr(0, kNameDigits));
-  wanted_.push_back(
-      {"",
-       {name, job.sequence, file, DetectArguments(detector, file), input.frames, Stage::kBoxes}});
-}
-
-std::vector<std::string> Planner::Hashes(const std::vector<fs::path>& files) {
-  return FindFileHashes(files, hash_index_, pool_, hooks_);
-}
-
-// A damaged scene is drawn again too, because it shares files with the cached drawing.
-bool Planner::IsRendered(RenderedScene& scene) {
-  std::error_code ignored;
-  if (!fs::exists(scene.folder / synth::kManifestName, ignored)) return false;
-  const auto damage =
-      FindSceneDamage(scene.folder, [this](const auto& files) { return Hashes(files); });
-  if (!damage) return true;
-  request_.notice("a cached scene is damaged and will be rendered again:  " + *damage);
-  scene.drawn = false;
-  return false;
-}
-
-// Of the scenes that share a drawing one draws it, unless the cache has it.
-void Planner::OrderPreparations() {
-  std::set<std::string> drawing;
-  for (auto& [key, wanted] : wanted_) {
-    if (wanted.stage == Stage::kDrawing && !drawing.insert(key).second)
-      wanted.stage = Stage::kNoise;
-  }
-  std::stable_sort(wanted_.begin(), wanted_.end(),
-                   [](const auto& a, const auto& b) { return a.second.stage < b.second.stage; });
-}
-
-void Planner::Open(const PlanJob& job, Input& input) {
-  if (!SequenceOf(job).detector.model.empty()) FindBoxes(job, input);
-  if (!input.missing.empty()) return;
-  input.sequence = OpenSequence(RequestOf(suite_, WithInput(job, input), data_.root()));
-  input.frames = static_cast<int>(input.sequence.images.size());
-  const auto hash = [this](const auto& files) { return Hashes(files); };
-  if (SequenceOf(job).scene.empty()) RequireAsRendered(input.sequence, hash);
-  input.images = FindImageHashes(input.sequence, hash_index_, pool_, hooks_);
-  input.content = ContentHash(input.sequence, input.images);
-  input.detections = DetectionsHash(input.sequence);
-}
-
-Input Planner::FindInput(const PlanJob& job) {
-  Input input;
-  try {
-    const std::string lacking = FindMissingFile(SequenceOf(job), data_.root());
-    if (!lacking.empty() && !data_.root().empty()) {
-      input.missing = StrCat(kNoFile, lacking, " below ", data_.root().string());
-    }
-    if (SequenceOf(job).scene.empty()) {
-      const DataFolder::Found found = data_.Find(SequenceOf(job).folder);
-      if (input.missing.empty() || !found.missing.empty()) input.missing = found.missing;
-      if (!input.missing.empty()) return input;
-      input.folder = found.folder.string();
-      Open(job, input);
-      return input;
-    }
-    if (!input.missing.empty()) return input;
-    RenderedScene scene = scenes_.Find(SequenceOf(job), job.parameters, job.seed);
-    if (!IsRendered(scene)) {
-      AddRender(scene, job);
-      input.missing = kNotRendered;
-      input.frames = scene.frames;
-      return input;
-    }
-    input.folder = scene.folder.string();
-    Open(job, input);
-  } catch (const Error& error) {
-    input.missing = error.what();
-  }
-  return input;
-}
-
-Input& Planner::InputOf(const PlanJob& job) {
-  const SuiteSequence& sequence = SequenceOf(job);
-  std::string key =
-      StrCat(sequence.name, "\n", sequence.detections, "\n",
-             PerturbationToJson(PerturbationOf(sequence, job.parameters, job.seed)).dump(), "\n",
-             sequence.layout.dump(), "\n");
-  if (!sequence.scene.empty()) {
-    key += std::to_string(job.seed);
-    for (const std::string& assignment : SceneAssignments(sequence, job.parameters)) {
-      key += "\n" + assignment;
-    }
-  }
-  const auto found = inputs_.find(key);
-  return found != inputs_.end() ? found->second
-                                : inputs_.emplace(key, FindInput(job)).first->second;
-}
-
-const Resolved& Planner::ResolvedOf(const PlanJob& job) {
-  std::string key = job.variant;
-  for (const auto& [path, value] : job.parameters.items()) {
-    if (IsOptionPath(path)) key += StrCat("\n", path, "=", value.dump());
-  }
-  const auto found = resolved_.find(key);
-  if (found != resolved_.end()) return found->second;
-  if (resolved_.size() >= kMaxResolved) resolved_.clear();
-  Resolved resolved;
-  resolved.options = OptionsOf(suite_, job.variant, job.parameters);
-  const Json options = OptionsToJson(OptionLeaves(resolved.options));
-  resolved.identity_head = IdentityHead(build_.identity, job.variant, options);
-  resolved.front_end = options["orb"].dump() + options["stereo"].dump();
-  return resolved_.emplace(key, std::move(resolved)).first->second;
-}
-
-const std::string& Planner::FrontEndKeyOf(const Resolved& resolved, Input& input) const {
-  const auto [found, added] = input.front_end_keys.try_emplace(resolved.front_end);
-  if (added) {
-    found->second = FrontEndKey({.build = build_.identity,
-                                 .camera = input.sequence.camera,
-                                 .orb = resolved.options.orb,
-                                 .stereo = resolved.options.stereo,
-                                 .perturbation = input.sequence.perturbation,
-                                 .rectification = input.sequence.rectification,
-                                 .first_frame = input.sequence.first_frame},
-                                input.images);
-  }
-  return found->second;
-}
-
-void Planner::IdentifyFiles(const Input& input, PlanJob& job) const {
-  try {
-    job.job =
-        IdentifySystem({.sequence = input.sequence,
-                        .content = input.content,
-                        .files = SystemFilesOf(suite_, job, data_.root(), Absolute(request_.cache)),
-                        .seed = job.seed});
-  } catch (const Error& error) {
-    job.missing = error.what();
-  }
-}
-
-void Planner::PlanInput(PlanJob& job) {
-  Input& input = InputOf(job);
-  job = WithInput(job, input);
-  job.missing = input.missing;
-  job.frames = input.frames;
-  job.content = input.content;
-  if (!job.missing.empty()) return;
-  if (!job.system.empty()) {
-    IdentifyFiles(input, job);
-    return;
-  }
-  const Resolved& resolved = ResolvedOf(job);
-  job.input = FrontEndKeyOf(resolved, input);
-  job.job = JobIdentity(
-      resolved.identity_head,
-      {input.content, input.detections,
-       Given(input.sequence, ClassesOf(SequenceOf(job)), OracleOf(job.oracle)), job.seed});
-}
-
-BuiltPlan Planner::Build() {
-  BuiltPlan built;
-  built.plan.suite = suite_;
-  built.plan.build = build_.identity;
-  built.plan.data = data_.root().string();
-  built.plan.jobs = ExpandSuite(suite_);
-  for (std::size_t i = 0; i < built.plan.jobs.size(); ++i) {
-    PlanInput(built.plan.jobs[i]);
-    if (request_.progress) request_.progress(i + 1, built.plan.jobs.size());
-  }
-  OrderPreparations();
-  for (auto& [key, wanted] : wanted_) built.preparations.push_back(std::move(wanted));
-  return built;
-}
 
 }  // namespace
 
