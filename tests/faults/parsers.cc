@@ -23,8 +23,8 @@
 #include "experiments/datasets/formats/scene_truth.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/suite/build_plan.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan/build_plan.h"
 #include "experiments/suite/suite.h"
 #include "reports/gate/baseline.h"
 #include "reports/runs/run_detail.h"
@@ -47,7 +47,7 @@ std::string Source(const std::string& name) {
 }
 
 std::string Golden(const std::string& name) {
-  return Source("tests/core/record/golden/" + name + ".json");
+  return Source("tests/reports/results/golden/" + name + ".json");
 }
 
 std::string DefaultOptions() {

@@ -67,12 +67,8 @@ TEST(Includes, NestedFoldersAreBelowOrAboveTheirParent) {
   ExpectIncludes("core/files/json/a.cc", {"\"core/files/text_file.h\""}, {});
   ExpectIncludes("experiments/metrics/a.cc", {}, {"\"experiments/metrics/objects/a.h\""});
   ExpectIncludes("experiments/datasets/a.cc", {"\"experiments/metrics/objects/a.h\""}, {});
-  ExpectIncludes("experiments/suite/shipped/a.cc", {}, {"\"experiments/suite/suite.h\""});
-  ExpectIncludes("experiments/suite/a.cc", {"\"experiments/suite/shipped/a.h\""},
-                 {"\"experiments/suite/plan/plan.h\""});
-  ExpectIncludes("experiments/suite/plan/a.cc", {"\"synth/write/manifest.h\""}, {});
-  ExpectIncludes("experiments/jobs/a.cc", {"\"experiments/suite/plan/plan.h\""},
-                 {"\"experiments/jobs/slurm/a.h\""});
+  ExpectIncludes("experiments/suite/a.cc", {"\"synth/write/manifest.h\""},
+                 {"\"reports/tables/table.h\""});
 }
 
 TEST(Includes, ReportsReadFilesOnly) {

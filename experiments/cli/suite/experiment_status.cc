@@ -20,9 +20,9 @@
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/suite/run_suite.h"
-#include "experiments/jobs/run_plan.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan/plan_outlook.h"
+#include "experiments/suite/plan_outlook.h"
+#include "experiments/suite/run_plan.h"
 
 namespace cvo {
 namespace {

@@ -22,8 +22,8 @@
 #include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/stop_signal.h"
-#include "experiments/jobs/run_plan.h"
-#include "experiments/jobs/slurm/slurm_engine.h"
+#include "experiments/suite/run_plan.h"
+#include "experiments/suite/slurm.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "experiments/jobs/engine.h"
-#include "experiments/jobs/job_status.h"
+#include "experiments/suite/build_plan.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan/build_plan.h"
+#include "experiments/suite/engine.h"
+#include "experiments/suite/job_status.h"
 #include "experiments/suite/suite.h"
 
 namespace cvo {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/jobs/engine.h"
+#include "experiments/suite/engine.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "experiments/jobs/job_status.h"
+#include "experiments/suite/job_status.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/jobs/run_plan.h"
+#include "experiments/suite/run_plan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "experiments/jobs/engine.h"
+#include "experiments/suite/engine.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 

@@ -3,11 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/jobs/job_status.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/job_input.h"
-#include "experiments/suite/shipped/shipped_suites.h"
+#include "experiments/suite/job_status.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"

@@ -7,8 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "experiments/suite/collection.h"
 #include "experiments/suite/job_input.h"
-#include "experiments/suite/shipped/shipped_suites.h"
 #include "tests/experiments/suite/examples.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"

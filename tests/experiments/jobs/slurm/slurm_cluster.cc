@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "experiments/jobs/engine.h"
+#include "experiments/suite/engine.h"
 
 namespace cvo::test {
 namespace fs = std::filesystem;

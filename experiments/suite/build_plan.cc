@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/suite/plan/build_plan.h"
+#include "experiments/suite/build_plan.h"
 
 #include <algorithm>
 #include <map>
@@ -18,7 +18,7 @@
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_files.h"
 #include "experiments/suite/job_input.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 #include "experiments/suite/suite.h"
 #include "synth/write/render_cache.h"
 
@@ -80,7 +80,7 @@ struct Input {
 };
 
 // What jobs of one variant at one grid point share.
-struct Resolved {
+struct VariantAtPoint {
   Options options;
   std::string identity_head;
   std::string front_end;  // front-end options, as text
@@ -239,7 +239,7 @@ class Planner {
                                   : inputs_.emplace(key, FindInput(job)).first->second;
   }
 
-  const Resolved& ResolvedOf(const PlanJob& job) {
+  const VariantAtPoint& ResolvedOf(const PlanJob& job) {
     std::string key = job.variant;
     for (const auto& [path, value] : job.parameters.items()) {
       if (IsOptionPath(path)) key += StrCat("\n", path, "=", value.dump());
@@ -247,7 +247,7 @@ class Planner {
     const auto found = resolved_.find(key);
     if (found != resolved_.end()) return found->second;
     if (resolved_.size() >= kMaxResolved) resolved_.clear();
-    Resolved resolved;
+    VariantAtPoint resolved;
     resolved.options = OptionsOf(suite_, job.variant, job.parameters);
     const Json options = OptionsToJson(OptionLeaves(resolved.options));
     resolved.identity_head = IdentityHead(build_.identity, job.variant, options);
@@ -255,7 +255,7 @@ class Planner {
     return resolved_.emplace(key, std::move(resolved)).first->second;
   }
 
-  const std::string& FrontEndKeyOf(const Resolved& resolved, Input& input) const {
+  const std::string& FrontEndKeyOf(const VariantAtPoint& resolved, Input& input) const {
     const auto [found, added] = input.front_end_keys.try_emplace(resolved.front_end);
     if (added) {
       found->second = FrontEndKey({.build = build_.identity,
@@ -294,7 +294,7 @@ class Planner {
       IdentifyFiles(input, job);
       return;
     }
-    const Resolved& resolved = ResolvedOf(job);
+    const VariantAtPoint& resolved = ResolvedOf(job);
     job.input = FrontEndKeyOf(resolved, input);
     job.job = JobIdentity(
         resolved.identity_head,
@@ -314,7 +314,7 @@ class Planner {
   };
   BuildIdentity build_ = ThisBuild();
   std::map<std::string, Input> inputs_;
-  std::map<std::string, Resolved> resolved_;
+  std::map<std::string, VariantAtPoint> resolved_;
   std::vector<std::pair<std::string, Preparation>> wanted_;  // each with the key of its drawing
   std::set<fs::path> wanted_outputs_;
 };

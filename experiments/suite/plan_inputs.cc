@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 
 #include <algorithm>
 

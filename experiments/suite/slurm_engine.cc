@@ -1,20 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/jobs/slurm/slurm_engine.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <deque>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "experiments/jobs/slurm/slurm_client.h"
+#include "experiments/suite/slurm.h"
 
 namespace cvo {
 
@@ -27,7 +25,6 @@ constexpr double kStopTimeoutS = 15.0;  // for Slurm to end cancelled tasks
 constexpr double kStopPollS = 0.5;
 constexpr double kShortestPollS = 0.5;
 constexpr double kPollFraction = 0.05;  // of the elapsed time, so that short suites need not wait
-constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 
 // The state of one call of SlurmEngine::Run.
 class SlurmRun {
@@ -38,7 +35,7 @@ class SlurmRun {
   void RunToCompletion() {
     const Clock::time_point start = Clock::now();
     try {
-      array_size_ = client_.ArraySize();
+      array_size_ = most_at_once_ = client_.ArraySize();
       ResumeEarlierArrays();
       while (!hooks_.stop()) {
         SubmitWaiting();
@@ -125,12 +122,9 @@ class SlurmRun {
   }
 
   void SubmitWaiting() {
-    if (room_ == 0 && Seconds(Clock::now() - refused_).count() > options_.full_s)
-      room_ = kUnlimited;
-    while (!waiting_.empty() && !hooks_.stop()) {
+    while (!waiting_.empty() && !hooks_.stop() && Clock::now() >= retry_at_) {
       if (options_.at_once > 0 && Open() > 0) return;  // Slurm applies this limit per array only
-      const std::size_t count = std::min({waiting_.size(), array_size_, room_});
-      if (count == 0) return;
+      const std::size_t count = std::min(waiting_.size(), most_at_once_);
       std::vector<Task> tasks;
       for (std::size_t i = 0; i < count; ++i) tasks.push_back(tasks_[waiting_[i]]);
       followed_.push_back({WriteSlurmArray(options_.folder, tasks)});
@@ -139,27 +133,30 @@ class SlurmRun {
       if (submitted.job.empty()) {
         RemoveSlurmArray(followed.array);
         followed_.pop_back();
-        Refused(count, submitted);
-        continue;
+        if (!submitted.full) throw Error(submitted.refused);
+        if (count > 1) {
+          most_at_once_ = count / 2;
+          continue;
+        }
+        most_at_once_ = array_size_;
+        retry_at_ =
+            Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(options_.full_s));
+        ReportFull(submitted.refused);
+        return;
       }
       followed.job = submitted.job;
       for (std::size_t number = 0; number < count; ++number) {
         followed.open.emplace(number, waiting_.front());
         waiting_.pop_front();
       }
-      if (room_ != kUnlimited) room_ -= count;
       hooks_.notice(
           StrCat("slurm: job ", followed.job, ": ", Counted(count, "task"), " submitted"));
     }
   }
 
-  void Refused(std::size_t count, const SlurmSubmitted& submitted) {
-    if (!submitted.full) throw Error(submitted.refused);
-    room_ = count / 2;
-    refused_ = Clock::now();
-    if (count > 1 || reported_full_) return;
-    reported_full_ = true;
-    hooks_.notice(StrCat("slurm: accepts no more tasks at present (", submitted.refused,
+  void ReportFull(const std::string& refused) {
+    if (std::exchange(reported_full_, true)) return;
+    hooks_.notice(StrCat("slurm: accepts no more tasks at present (", refused,
                          "): ", Counted(waiting_.size(), "task"), " not submitted yet"));
   }
 
@@ -172,7 +169,6 @@ class SlurmRun {
         const std::optional<TaskEnd> end = Judge(followed, number, queue, ends);
         it = end ? followed.open.erase(it) : std::next(it);
         if (!end) continue;
-        if (room_ != kUnlimited) ++room_;
         hooks_.ended(task, *end);
       }
     }
@@ -295,8 +291,8 @@ class SlurmRun {
   std::deque<std::size_t> waiting_;  // tasks not submitted yet
   // Tasks that left the queue without an end file: since when.
   std::map<std::size_t, Clock::time_point> lost_;
-  std::size_t room_ = kUnlimited;  // number of tasks that Slurm accepts, known from its refusals
-  Clock::time_point refused_{};    // time of the last refusal
+  std::size_t most_at_once_ = 0;  // tasks per array: halved while Slurm refuses them
+  Clock::time_point retry_at_{};  // when Slurm refused even one task
   bool reported_full_ = false;
   std::string reported_reason_;  // why tasks are pending, as last reported
 };
