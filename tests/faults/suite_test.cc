@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "core/files/atomic_file.h"
-#include "experiments/suite/engine.h"
 #include "tests/faults/fault_folder.h"
 
 namespace cvo::suite_test {
@@ -101,16 +100,6 @@ TEST_F(SuiteFaults, Size) {
     }());
     ExpectOneLine({"experiment", "status", suite, "-o", out(), "--data", At("data")}, AnyOf(1, 2),
                   "expected");
-  }
-}
-
-// A job out of memory used to be reported as "exit code 127" or as killed by a signal.
-TEST_F(SuiteFaults, Limits) {
-  if (!kLimitsMemory) GTEST_SKIP() << "the sanitizer needs the memory";
-  for (const char* limit_mb : {"10", "60"}) {
-    const ProcessResult run = Run(Suite("run", {"--memory-limit", limit_mb, "-j", "1"}));
-    EXPECT_EQ(run.exit_code, 1);
-    EXPECT_THAT(run.err, HasSubstr(StrCat("memory limit of ", limit_mb, " MB"))) << run.err;
   }
 }
 

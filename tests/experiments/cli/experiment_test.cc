@@ -17,9 +17,9 @@
 #include "experiments/suite/engine.h"
 #include "experiments/suite/job_status.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/jobs/slurm/slurm_cluster.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/experiments/suite/examples.h"
+#include "tests/experiments/suite/slurm_cluster.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::test::experiment_test {

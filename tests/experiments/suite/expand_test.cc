@@ -33,16 +33,11 @@ TEST(Grid, RangesAreLinearOrLogarithmic) {
               ElementsAre(0.01, 0.1, 1));
   // The geometric mean of 1 and 10 in six digits, as a person would write it.
   EXPECT_EQ(Values({{"from", 1}, {"to", 10}, {"steps", 3}, {"scale", "log"}})[1], Json(3.16228));
-}
-
-TEST(Grid, RefusesInvalidRanges) {
   for (const char* wrong : {R"({"from": 0, "to": 1, "steps": 3, "scale": "log"})",
                             R"({"from": 0, "to": 1})", R"({"from": 0, "to": 1, "steps": 1})",
                             R"({"from": 0, "to": 1, "steps": 3, "scael": "log"})",
-                            R"({"from": 0, "to": 1, "steps": 3, "scale": "cubic"})",
                             R"({"from": 1, "to": 1, "steps": 2})", "3", "[]"}) {
-    EXPECT_THAT(ErrorMessage([&] { Values(Json::parse(wrong)); }), testing::StartsWith("axis"))
-        << wrong;
+    EXPECT_THAT(ErrorMessage([&] { Values(Json::parse(wrong)); }), StartsWith("axis")) << wrong;
   }
 }
 
@@ -110,14 +105,6 @@ TEST(JobInput, AChangedDetectorStartsFromTheLevelOfTheSequence) {
   EXPECT_THAT(SceneAssignments(suite.sequences[0], job.parameters),
               ElementsAre("detector.level=poor", "detector.miss_rate=0.5"));
   EXPECT_EQ(RequestOf(suite, job, "").detections_file, "/s/detections/custom.txt");
-}
-
-TEST(JobInput, AGridPointOverridesTheSuiteOptions) {
-  Suite suite = Parse(SmallSuite());
-  suite.options = {{"window", {{"spatial", 4}, {"temporal", 9}}}};
-  const Options options = OptionsOf(suite, "full", {{"window.spatial", 3}});
-  EXPECT_EQ(options.window.spatial, 3);
-  EXPECT_EQ(options.window.temporal, 9);
 }
 
 TEST(JobInput, AFolderIsReadAsTheSequenceSays) {

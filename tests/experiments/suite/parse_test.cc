@@ -5,7 +5,6 @@
 
 #include <numeric>
 #include <set>
-#include <tuple>
 
 #include "experiments/suite/collection.h"
 #include "experiments/suite/job_input.h"
@@ -33,17 +32,6 @@ Json With(const std::string& pointer, const Json& value) {
 
 std::string MessageOf(const Json& json) {
   return ErrorMessage([&] { Parse(json); });
-}
-
-TEST(Suite, UnknownDataSetsAndPairsAreRefused) {
-  for (const auto& [key, value, message] :
-       {std::tuple{"dataset", "kiti",
-                   "found \"kiti\" (did you mean kitti?), expected kitti or other"},
-        {"pair", "gray", "found \"gray\" (did you mean grey?), expected grey or colour"}}) {
-    Json json = test::FolderSuite("07");
-    json["sequences"][0][key] = value;
-    EXPECT_EQ(MessageOf(json), StrCat("s.json, sequences.0.", key, ": ", message));
-  }
 }
 
 TEST(Suite, ReadsAFile) {
@@ -185,6 +173,15 @@ TEST(Suite, AWrongValueIsNamedWithFileAndKey) {
       {"/grid", {{"scene.detector.miss_rat", {0.1}}}, "grid"},
       {"/grid", {{"scene.detector.miss_rate", {2}}}, "grid"},
       {"/grid_one_at_a_time", 1, "grid_one_at_a_time"},
+      {"/grid", {{"window.spatial", {4, 5}}}, "table.rows: found no \"window.spatial\""},
+      {"/oracles", {Json::array(), {"boxes"}}, "table.rows: found no \"oracle\""},
+      {"/sequences/0",
+       {{"folder", "07"}, {"dataset", "kiti"}},
+       "found \"kiti\" (did you mean kitti?), expected kitti or"},
+      {"/sequences/0",
+       {{"folder", "07"}, {"pair", "gray"}},
+       "found \"gray\" (did you mean grey?), expected grey or"},
+      {"/sequences/1", {{"scene", "tiny"}, {"detections", "good"}}, "sequences.1"},
       {"/oracles", {{"boxs"}}, "oracles.0.0"},
       {"/oracles", Json::array(), "oracles"},
       {"/systems", {{{"name", "full"}}}, "systems.0"},
@@ -200,15 +197,6 @@ TEST(Suite, AWrongValueIsNamedWithFileAndKey) {
   }
 }
 
-TEST(Suite, RowsDistinguishPointsOfAGrid) {
-  Json json = With("/grid", {{"window.spatial", {4, 5}}});
-  EXPECT_THAT(MessageOf(json), HasSubstr("table.rows: found no \"window.spatial\""));
-  json["table"]["rows"] = {"window.spatial"};
-  EXPECT_EQ(MessageOf(json), "");
-  EXPECT_THAT(MessageOf(With("/oracles", Json::array({Json::array(), {"boxes"}}))),
-              HasSubstr("table.rows: found no \"oracle\""));
-}
-
 TEST(Suite, TooManyRunsAreRefused) {
   EXPECT_THAT(MessageOf(With("/seeds", std::vector<int>(10'001, 1))),
               HasSubstr("s.json, seeds: found 10001, expected at most 10000"));
@@ -221,15 +209,6 @@ TEST(Suite, TooManyRunsAreRefused) {
     json["grid"][path] = {{"from", 1}, {"to", 1000}, {"steps", 1000}};
   }
   EXPECT_THAT(MessageOf(json), HasSubstr("s.json: found 1000000000 runs, expected at most 100000"));
-}
-
-TEST(Suite, SequencesAreUniqueUpToTheirBoxes) {
-  Json json = SmallSuite();
-  json["sequences"].push_back(json["sequences"][0]);
-  EXPECT_THAT(MessageOf(json), HasSubstr("s.json, sequences.1"));
-  json["sequences"][1]["detections"] = "poor";
-  json["table"]["rows"] = {"variant", "detections"};
-  EXPECT_EQ(MessageOf(json), "");
 }
 
 TEST(Suite, ReadsBackWhatItWrote) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/experiments/jobs/slurm/slurm_cluster.h"
+#include "tests/experiments/suite/slurm_cluster.h"
 
 #include <fcntl.h>
 #include <netinet/in.h>

@@ -108,10 +108,9 @@ TEST_F(RunPlanTest, StartsOneJobPerInputFirstAndNoJobTwice) {
 TEST_F(RunPlanTest, AFailureAffectsOneJobAndIsRetried) {
   Script("a1", "echo 'clustervo: error: no such thing' >&2; exit 1");
   Script("b1", "echo on the way; kill -SEGV $$");
-  Script("a2", "sleep 60");
-  run_.limit_s = 2.0;
+  Script("a2", "exit 0");
   EXPECT_EQ(Run(plan_).failed, 4U);  // two of them of job a2
-  EXPECT_EQ(Failure("a2")["message"], "stopped after 2 s");
+  EXPECT_EQ(Failure("a2")["message"], "ended without a result");
   EXPECT_EQ(Failure("a1")["message"], "no such thing");
   EXPECT_EQ(Failure("a1")["job"], "a1");
   EXPECT_EQ(Failure("b1")["message"], "killed by signal 11 (SIGSEGV)");
@@ -125,14 +124,6 @@ TEST_F(RunPlanTest, AFailureAffectsOneJobAndIsRetried) {
   EXPECT_EQ(second.done, 3U);
   EXPECT_FALSE(fs::exists(run_.folder.failure("a1")));
   EXPECT_EQ(StatusOf(run_.folder, plan_.jobs[2]).message, "killed by signal 11 (SIGSEGV)");
-}
-
-TEST_F(RunPlanTest, ExitCodeZeroWithoutAValidResultIsAFailure) {
-  Script("a1", "exit 0");
-  Script("b1", StrCat("echo '", ResultText("a1"), "' > jobs/b1/result.json; exit 0"));
-  EXPECT_EQ(Run(plan_).failed, 2U);
-  EXPECT_EQ(Failure("a1")["message"], "ended without a result");
-  EXPECT_THAT(std::string(Failure("b1")["message"]), HasSubstr("the result of job \"a1\""));
 }
 
 TEST_F(RunPlanTest, AResultWithoutRequestedLandmarksIsNotDone) {
@@ -184,16 +175,6 @@ TEST_F(RunPlanTest, AJobWithoutASequenceDoesNotRun) {
   EXPECT_EQ(Run(plan).missing, 1U);
 }
 
-TEST_F(RunPlanTest, ResultsOfAnotherPlanAreKeptAndReused) {
-  Run(plan_);
-  Started();
-  const Plan edited = PlanOf({Job("a1", "a"), Job("c1", "c")});
-  EXPECT_EQ(Run(edited).done, 2U);
-  EXPECT_THAT(Started(), ElementsAre("c1"));
-  Run(plan_);
-  EXPECT_THAT(Started(), IsEmpty());
-}
-
 TEST_F(RunPlanTest, StopKeepsResultsAndReportsTheRest) {
   Script("b1", "sleep 60");
   run_.stop = [&] { return fs::exists(run_.folder.log("b1")); };
@@ -232,18 +213,6 @@ TEST_F(RunPlanTest, AFullDiskEndsTheRunAndLosesNothing) {
   EXPECT_THAT(started, ElementsAre("a1", "b1"));
   EXPECT_THAT(resumed, ElementsAre("a2", "b1"));  // each is now the first of its input
   EXPECT_EQ(done, 4U);
-}
-
-TEST_F(RunPlanTest, PreparationsReportFailures) {
-  const auto task = [&](const std::string& name, const std::string& script) {
-    return Task{.name = name, .argv = {"/bin/sh", "-c", script}, .log = run_.folder.log(name)};
-  };
-  LocalEngine engine(1);
-  const std::vector<Task> tasks = {task("good", "true"),
-                                   task("bad", "echo clustervo: error: no paint; exit 1")};
-  EXPECT_THAT(RunPreparations(tasks, run_, engine).value(), ElementsAre("", "no paint"));
-  run_.stop = [] { return true; };
-  EXPECT_FALSE(RunPreparations(tasks, run_, engine).has_value());
 }
 
 }  // namespace

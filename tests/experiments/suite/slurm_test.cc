@@ -16,7 +16,7 @@
 #include "core/base/error.h"
 #include "experiments/suite/engine.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/jobs/slurm/slurm_cluster.h"
+#include "tests/experiments/suite/slurm_cluster.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::test::slurm_test {
