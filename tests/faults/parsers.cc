@@ -15,8 +15,8 @@
 #include "core/record/timing.h"
 #include "core/record/truth.h"
 #include "experiments/cache/front_end_cache.h"
-#include "experiments/calibration/kitti_calibration.h"
-#include "experiments/calibration/rig_file.h"
+#include "experiments/datasets/calibration/kitti_calibration.h"
+#include "experiments/datasets/calibration/rig_file.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/image_format.h"
 #include "experiments/datasets/formats/object_boxes.h"
@@ -47,7 +47,7 @@ std::string Source(const std::string& name) {
 }
 
 std::string Golden(const std::string& name) {
-  return Source("tests/core/record/golden/" + name + ".json");
+  return Source("tests/reports/results/golden/" + name + ".json");
 }
 
 std::string DefaultOptions() {
