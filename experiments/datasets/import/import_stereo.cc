@@ -189,7 +189,10 @@ Json Record(const StereoImport& request, const ImportOutcome& outcome,
   return record;
 }
 
-std::string HashFile(const fs::path& file) { return Sha256Hex(ReadFileBytes(file)); }
+// Empty if there is no such file: reading it then tells what is wrong.
+std::string HashFile(const fs::path& file) {
+  return fs::is_regular_file(file) ? Sha256Hex(ReadFileBytes(file)) : "";
+}
 
 void AddImages(const fs::path& path, Sha256& hash) {
   if (!fs::is_directory(path)) {
