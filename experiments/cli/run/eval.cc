@@ -18,7 +18,6 @@
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/cli/run/sequence_flags.h"
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/clock_offset.h"
 #include "experiments/metrics/trajectory.h"
