@@ -84,9 +84,7 @@ std::vector<Part> MakeParts() {
   // Results are written with the schema with which reports read them.
   std::vector<std::string> below = {"core/", "variants/", "core/record/", "experiments/datasets/",
                                     "experiments/metrics/"};
-  parts.push_back({"experiments/suite/shipped/", {"experiments/suite/shipped/"}, {}});
-  for (const char* folder :
-       {"cache", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
+  for (const char* folder : {"cache", "record", "runner", "suite"}) {
     const std::string part = StrCat("experiments/", folder, "/");
     below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");

@@ -23,7 +23,7 @@
 #include "experiments/metrics/trajectory.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/score_files.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 
 namespace cvo {
 namespace {

@@ -26,7 +26,7 @@
 #include "experiments/cli/stop_signal.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {

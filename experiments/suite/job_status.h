@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/suite/plan/build_plan.h"
+#include "experiments/suite/build_plan.h"
 
 namespace cvo {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/jobs/job_status.h"
+#include "experiments/suite/job_status.h"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/jobs/run_plan.h"
+#include "experiments/suite/run_plan.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,7 +19,7 @@
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/score_files.h"
 #include "experiments/suite/job_input.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 #include "variants/registry.h"
 
 namespace cvo {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/jobs/slurm/slurm_client.h"
-
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -23,6 +21,7 @@
 #include "core/files/json/json_record.h"
 #include "core/files/sha256.h"
 #include "core/files/text/number.h"
+#include "experiments/suite/slurm.h"
 
 namespace cvo {
 
@@ -32,7 +31,6 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kRecord = "array.json";
-constexpr std::size_t kNameDigits = 16;
 constexpr double kFirstContactS = 60.0;   // short, because Slurm may not be installed at all
 constexpr double kMaxDelayS = 60.0;       // between two retries
 constexpr double kCommandLimitS = 120.0;  // a command that hangs longer is killed
@@ -126,7 +124,7 @@ SlurmArray WriteSlurmArray(const fs::path& root, std::span<const Task> tasks) {
   if (::mkdtemp(folder.data()) == nullptr) {
     throw Error(StrCat(folder, ": cannot create the folder: ", std::strerror(errno)));
   }
-  SlurmArray array{folder, "clustervo-" + Sha256Hex(folder).substr(0, kNameDigits), {}};
+  SlurmArray array{folder, "clustervo-" + Sha256Hex(folder).substr(0, 16), {}};
   for (const char* name : {"end", "out"}) fs::create_directories(array.folder / name);
   for (const Task& task : tasks) array.tasks.push_back({task.name});
   WriteFilesAtomically(array.folder,

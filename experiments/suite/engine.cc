@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/jobs/engine.h"
+#include "experiments/suite/engine.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 
 #include <algorithm>
 
@@ -20,7 +20,6 @@
 #include "synth/write/render_cache.h"
 
 namespace cvo {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,6 +40,50 @@ std::string LastParts(const fs::path& path, const fs::path& other) {
   auto part = path.end();
   for (auto i = other.begin(); i != other.end() && part != path.begin(); ++i) last = *--part / last;
   return NormalFolder(fs::path("/") / last).relative_path().string();
+}
+
+constexpr std::size_t kKeyDigits = 16;
+
+synth::RenderRequest RenderOf(const SuiteSequence& sequence, std::uint64_t seed) {
+  synth::RenderRequest request;
+  request.seed = seed;
+  if (!sequence.frames.empty()) {
+    const FrameRange range = ParseFrameRange(sequence.frames);
+    request.frames.first = range.begin;
+    if (range.end >= 0) request.frames.end = range.end;
+  }
+  return request;
+}
+
+// Whether a file in a rendered folder belongs to one of the frames, or to the sequence as a whole.
+bool IsOf(const FrameRange& frames, const std::string& name) {
+  const fs::path path = name;
+  if (!path.has_parent_path()) return true;
+  const std::optional<std::int64_t> number = ParseInteger(path.stem().string());
+  return !number || (*number >= frames.begin && (frames.end < 0 || *number < frames.end));
+}
+
+// Returns the arguments with which the program writes the boxes.
+std::vector<std::string> DetectArguments(const DetectorInput& input, const fs::path& model,
+                                         const std::string& boxes) {
+  const SuiteSequence& written = input.written;
+  const SuiteDetector& detector = written.detector;
+  std::vector<std::string> arguments = {"detect",  input.sequence.folder.string(),
+                                        "--model", model.string(),
+                                        "--names", (input.data / detector.names).string()};
+  const auto add = [&arguments](const char* flag, const std::string& value) {
+    if (!value.empty()) arguments.insert(arguments.end(), {flag, value});
+  };
+  if (!detector.weights.empty()) add("--weights", (input.data / detector.weights).string());
+  add("--input", detector.input);
+  if (detector.min_score) add("--min-score", Json(*detector.min_score).dump());
+  if (detector.max_overlap) add("--max-overlap", Json(*detector.max_overlap).dump());
+  add("--pair", written.pair);
+  // The frames of a scene were selected at rendering.
+  if (written.scene.empty()) add("--frames", written.frames);
+  if (!written.layout.empty()) add("--layout", written.layout.dump());
+  arguments.insert(arguments.end(), {"-o", boxes, "--checksum"});
+  return arguments;
 }
 
 }  // namespace
@@ -78,33 +121,6 @@ DataFolder::Found DataFolder::Find(const std::string& folder) {
   }
   return found;
 }
-
-namespace {
-
-namespace fs = std::filesystem;
-
-constexpr std::size_t kKeyDigits = 16;
-
-synth::RenderRequest RenderOf(const SuiteSequence& sequence, std::uint64_t seed) {
-  synth::RenderRequest request;
-  request.seed = seed;
-  if (!sequence.frames.empty()) {
-    const FrameRange range = ParseFrameRange(sequence.frames);
-    request.frames.first = range.begin;
-    if (range.end >= 0) request.frames.end = range.end;
-  }
-  return request;
-}
-
-// Whether a file in a rendered folder belongs to one of the frames, or to the sequence as a whole.
-bool IsOf(const FrameRange& frames, const std::string& name) {
-  const fs::path path = name;
-  if (!path.has_parent_path()) return true;
-  const std::optional<std::int64_t> number = ParseInteger(path.stem().string());
-  return !number || (*number >= frames.begin && (frames.end < 0 || *number < frames.end));
-}
-
-}  // namespace
 
 const SceneFolders::Source& SceneFolders::SourceFor(const SuiteSequence& sequence,
                                                     const std::vector<std::string>& assignments) {
@@ -179,14 +195,6 @@ void RequireAsRendered(const Sequence& sequence, const HashFiles& hash) {
                      " lists: render the scene again, or remove that file to use other files"));
 }
 
-namespace {
-
-namespace fs = std::filesystem;
-
-std::string Number(double value) { return Json(value).dump(); }
-
-}  // namespace
-
 std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data) {
   const SuiteDetector& detector = sequence.detector;
   std::vector<std::string> files = {detector.model, detector.weights, detector.names,
@@ -201,8 +209,7 @@ std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data)
   return "";
 }
 
-fs::path BoxesFile(const DetectorInput& input, const std::vector<ImageHashes>& images,
-                   const fs::path& cache, const HashFiles& hash) {
+DetectedBoxes FindDetectedBoxes(const DetectorInput& input, const HashFiles& hash) {
   const SuiteDetector& detector = input.written.detector;
   const fs::path model = input.data / detector.model;
   const fs::path weights = detector.weights.empty() ? fs::path(model).replace_extension(".weights")
@@ -217,36 +224,16 @@ fs::path BoxesFile(const DetectorInput& input, const std::vector<ImageHashes>& i
   if (detector.min_score) json["min_score"] = *detector.min_score;
   if (detector.max_overlap) json["max_overlap"] = *detector.max_overlap;
   if (input.sequence.rectification) json["rectified"] = input.sequence.rectification->identity();
-  for (const ImageHashes& pair : images) json["images"].push_back(pair.left);
-  return cache / "detections" / (Sha256Hex(DumpJson(json)) + ".txt");
-}
-
-bool AreBoxesWhole(const fs::path& boxes, const HashFiles& hash) try {
-  const std::string checksum = ReadFileBytes(boxes.string() + kChecksumSuffix, kHashBytes);
-  return checksum == hash({boxes}).front();
-} catch (const Error&) {
-  return false;
-}
-
-std::vector<std::string> DetectArguments(const DetectorInput& input, const fs::path& boxes) {
-  const auto& [written, sequence, data] = input;
-  const SuiteDetector& detector = written.detector;
-  std::vector<std::string> arguments = {"detect",  sequence.folder.string(),
-                                        "--model", (data / detector.model).string(),
-                                        "--names", (data / detector.names).string()};
-  const auto add = [&arguments](const char* flag, const std::string& value) {
-    if (!value.empty()) arguments.insert(arguments.end(), {flag, value});
-  };
-  if (!detector.weights.empty()) add("--weights", (data / detector.weights).string());
-  add("--input", detector.input);
-  if (detector.min_score) add("--min-score", Number(*detector.min_score));
-  if (detector.max_overlap) add("--max-overlap", Number(*detector.max_overlap));
-  add("--pair", written.pair);
-  // The frames of a scene were selected at rendering.
-  if (written.scene.empty()) add("--frames", written.frames);
-  if (!written.layout.empty()) add("--layout", written.layout.dump());
-  arguments.insert(arguments.end(), {"-o", boxes.string(), "--checksum"});
-  return arguments;
+  for (const ImageHashes& pair : input.images) json["images"].push_back(pair.left);
+  DetectedBoxes boxes;
+  boxes.file = input.cache / "detections" / (Sha256Hex(DumpJson(json)) + ".txt");
+  boxes.arguments = DetectArguments(input, model, boxes.file.string());
+  try {
+    boxes.whole = ReadFileBytes(boxes.file.string() + kChecksumSuffix, kHashBytes) ==
+                  hash({boxes.file}).front();
+  } catch (const Error&) {  // one of the two does not exist
+  }
+  return boxes;
 }
 
 }  // namespace cvo

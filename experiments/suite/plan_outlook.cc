@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/suite/plan/plan_outlook.h"
+#include "experiments/suite/plan_outlook.h"
 
 #include <map>
 #include <set>

@@ -86,27 +86,26 @@ std::optional<std::string> FindSceneDamage(const std::filesystem::path& folder,
 // one that was rendered.
 void RequireAsRendered(const Sequence& sequence, const HashFiles& hash);
 
-// A sequence whose boxes are detected by a network.
-struct DetectorInput {
-  const SuiteSequence& written;
-  const Sequence& sequence;  // opened without boxes
-  std::filesystem::path data;
-};
-
 // Returns the first file of boxes, labels or a detector that does not exist below `data`, as
 // written in the suite; empty if all exist.
 std::string FindMissingFile(const SuiteSequence& sequence, const std::filesystem::path& data);
 
-// Returns the path of the sequence's boxes: <cache>/detections/<hash>.txt, where the hash covers
-// the bytes of the network's files and of the left images, the detector's flags and the program.
-std::filesystem::path BoxesFile(const DetectorInput& input, const std::vector<ImageHashes>& images,
-                                const std::filesystem::path& cache, const HashFiles& hash);
+// A sequence whose boxes are detected by a network.
+struct DetectorInput {
+  const SuiteSequence& written;
+  const Sequence& sequence;  // opened without boxes
+  std::vector<ImageHashes> images;
+  std::filesystem::path data;
+  std::filesystem::path cache;
+};
 
-// Whether the file and the checksum beside it (`detect --checksum`) both exist and agree.
-bool AreBoxesWhole(const std::filesystem::path& boxes, const HashFiles& hash);
-
-// Returns the arguments with which the program writes the boxes to `boxes`.
-std::vector<std::string> DetectArguments(const DetectorInput& input,
-                                         const std::filesystem::path& boxes);
+struct DetectedBoxes {
+  // <cache>/detections/<hash>.txt, where the hash covers the bytes of the network's files and of
+  // the left images, the detector's flags and the program.
+  std::filesystem::path file;
+  bool whole = false;  // the file and the checksum beside it (`detect --checksum`) exist and agree
+  std::vector<std::string> arguments;  // of the program, to write the file
+};
+DetectedBoxes FindDetectedBoxes(const DetectorInput& input, const HashFiles& hash);
 
 }  // namespace cvo

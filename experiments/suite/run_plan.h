@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "experiments/jobs/engine.h"
-#include "experiments/jobs/job_status.h"
 #include "experiments/runner/job_cache.h"
-#include "experiments/suite/plan/build_plan.h"
+#include "experiments/suite/build_plan.h"
+#include "experiments/suite/engine.h"
+#include "experiments/suite/job_status.h"
 
 namespace cvo {
 
