@@ -39,16 +39,13 @@ struct FramePositions {
   }
 };
 
-struct TruthOfBody {
+struct JudgedBody {
   int id = 0;
   std::string name;
   std::string category;
   bool mover = false;
   double diagonal_m = 0.0;    // of its box
   std::int64_t cluster = -1;  // cluster whose poses are scored; -1: none
-  TruthPoses truth;
-  FramePositions estimated;  // positions from which its ATE is computed
-  FramePositions predicted;
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
@@ -58,6 +55,17 @@ struct TruthOfBody {
     archive.Field("mover", self.mover);
     archive.Field("diagonal_m", self.diagonal_m);
     archive.Field("cluster", self.cluster);
+  }
+};
+
+struct TruthOfBody : JudgedBody {
+  TruthPoses truth;
+  FramePositions estimated;  // positions from which its ATE is computed
+  FramePositions predicted;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    JudgedBody::VisitFields(self, archive);
     archive.Field("truth", self.truth);
     archive.Field("estimated", self.estimated);
     archive.Field("predicted", self.predicted);

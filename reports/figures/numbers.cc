@@ -44,14 +44,24 @@ std::string AxisTitle(const Column& column) {
   return StrCat(column.label, " (", unit.empty() ? "count" : unit, ")");
 }
 
+std::string NameOf(const Column& column, const Table& table) {
+  const auto same = std::count_if(table.columns.begin(), table.columns.end(),
+                                  [&](const Column& other) { return other.label == column.label; });
+  return same > 1 ? StrCat(column.label, " (", column.unit, ")") : column.label;
+}
+
+std::string QuantityText(double value, const Column& column) {
+  const Shown shown = ShownAs(column.metric, column.unit);
+  return StrCat(NumberText(shown.scale * value), shown.unit.empty() ? "" : " ", shown.unit);
+}
+
 std::string CellValueText(const Cell& cell, const Column& column) {
   if (!cell.present) return "no value";
-  const Shown shown = ShownAs(column.metric, column.unit);
-  std::string text = NumberText(shown.scale * cell.value);
-  if (!shown.unit.empty()) text += " " + shown.unit;
+  const std::string text = QuantityText(cell.value, column);
   if (!cell.interval) return text;
-  return StrCat(text, " (", NumberText(shown.scale * cell.interval->low), " to ",
-                NumberText(shown.scale * cell.interval->high), ")");
+  const double scale = ShownAs(column.metric, column.unit).scale;
+  return StrCat(text, " (", NumberText(scale * cell.interval->low), " to ",
+                NumberText(scale * cell.interval->high), ")");
 }
 
 std::string Capitalised(std::string text) {

@@ -27,6 +27,12 @@ Shown ShownAs(const std::string& metric, const std::string& unit);
 // The label of a metric with its unit: "object ATE (m)".
 std::string AxisTitle(const Column& column);
 
+// The label of a column, with its unit if another column has the same label.
+std::string NameOf(const Column& column, const Table& table);
+
+// A number with its unit for readers: "0.0625 m", "93.1 %" for a share, "3" for a count.
+std::string QuantityText(double value, const Column& column);
+
 // The value of a cell with its interval: "0.0213 m (0.018 to 0.025)".
 std::string CellValueText(const Cell& cell, const Column& column);
 
