@@ -198,7 +198,7 @@ class CollectionRun {
 
   static std::string TimesHtml(const fs::path& folder) {
     const reports::SuiteTimes times = reports::ReadSuiteTimes(folder);
-    std::vector<std::vector<std::string>> rows = reports::TimesTable(times);
+    std::vector<std::vector<std::string>> rows = times.table;
     const std::vector<std::string> columns = rows.front();
     rows.erase(rows.begin());
     return reports::Element("p", "Here: " + Joined(times.machines, "; ") + ".") + "\n" +
