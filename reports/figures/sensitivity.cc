@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
-#include "reports/figures/numbers.h"
+#include "reports/figures/figure_style.h"
 #include "reports/figures/suite_parts.h"
 
 namespace cvo::reports {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/figures/palette.h"
+#include "reports/figures/figure_style.h"
 #include "reports/figures/suite_figures.h"
 
 // What the kinds of figures of a suite share, and the function that adds each kind.

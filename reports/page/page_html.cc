@@ -9,7 +9,7 @@
 #include "core/files/text/utf8.h"
 #include "core/record/contract_text.h"
 #include "core/record/metric_catalogue.h"
-#include "reports/figures/numbers.h"
+#include "reports/figures/figure_style.h"
 #include "reports/page/html.h"
 
 namespace cvo::reports {

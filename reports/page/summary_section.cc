@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/figures/numbers.h"
+#include "reports/figures/figure_style.h"
 #include "reports/page/html.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/cells.h"

@@ -9,10 +9,10 @@
 #include "core/base/lists.h"
 #include "core/files/json/json.h"
 #include "core/files/text/closest_names.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/record/metric_catalogue.h"
 #include "reports/runs/run_detail.h"
 #include "reports/statistics/estimate.h"
-#include "reports/statistics/position_errors.h"
 #include "reports/tables/cells.h"
 
 namespace cvo::reports {
@@ -49,6 +49,22 @@ CommonErrors CommonBodyErrors(const FrameErrors& errors, int shift, const FrameE
                     common.reference_m.push_back(reference.position_m[k]);
                   });
   return common;
+}
+
+// Distances (m) between estimated and true positions, after applying to the estimate the rotation
+// and translation that minimise the sum of their squares, as for camera ATE.
+std::vector<double> AlignedErrors(const std::vector<Position>& estimate,
+                                  const std::vector<Position>& truth) {
+  if (estimate.empty()) return {};
+  const auto count = static_cast<Eigen::Index>(estimate.size());
+  const Eigen::Map<const Eigen::Matrix3Xd> from(estimate.front().data(), 3, count);
+  const Eigen::Map<const Eigen::Matrix3Xd> to(truth.front().data(), 3, count);
+  const RigidTransform to_from_from = AlignPoints(from, to);
+  std::vector<double> errors_m;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    errors_m.push_back((to_from_from * from.col(i) - to.col(i)).norm());
+  }
+  return errors_m;
 }
 
 // Aligns each run to the truth over the same frames: otherwise what one of them did in other frames

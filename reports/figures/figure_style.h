@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "reports/chart/chart.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
 
-// Numbers and texts for readers of figures and pages.
+// Numbers, texts and looks, the same in all figures and pages.
 
 // A number for sentences: `digits` significant digits, no exponent.
 std::string NumberText(double value, int digits = 3);
@@ -51,5 +52,21 @@ std::string Listed(const std::vector<std::string>& texts);
 
 // Reduces a text to lower-case letters, digits and "-", for file names. At most 80 characters.
 std::string Slug(const std::string& text);
+
+// Gives each name a look that is the same in every figure: colour and symbol, and dashes once the
+// colours repeat. Variants that ship with the program have a fixed look; all other names get the
+// remaining ones in the order given.
+class Palette {
+ public:
+  explicit Palette(const std::vector<std::string>& names);
+
+  // Look without a symbol, for lines, and with one, for points.
+  Look Line(const std::string& name, double width = 1.2) const;
+  Look Points(const std::string& name) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::size_t> places_;  // in the order of all looks
+};
 
 }  // namespace cvo::reports
