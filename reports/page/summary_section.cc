@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "reports/figures/figure_style.h"
-#include "reports/page/html.h"
+#include "reports/page/page.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/cells.h"
 

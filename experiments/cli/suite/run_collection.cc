@@ -19,7 +19,7 @@
 #include "experiments/cli/stop_signal.h"
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/suite.h"
-#include "reports/page/html.h"
+#include "reports/page/page.h"
 #include "reports/runs/suite_times.h"
 #include "reports/tables/make_table.h"
 
