@@ -30,18 +30,23 @@ struct FramePositions {
   CVO_FIELDS(frames, positions_m);
 };
 
-struct TruthOfBody {
+struct JudgedBody {
   int id = 0;
   std::string name;
   std::string category;
   bool mover = false;
   double diagonal_m = 0.0;    // of its box
   std::int64_t cluster = -1;  // cluster whose poses are scored; -1: none
+
+  CVO_FIELDS(id, name, category, mover, diagonal_m, cluster);
+};
+
+struct TruthOfBody : JudgedBody {
   TruthPoses truth;
   FramePositions estimated;  // positions from which its ATE is computed
   FramePositions predicted;
 
-  CVO_FIELDS(id, name, category, mover, diagonal_m, cluster, truth, estimated, predicted);
+  CVO_RECORD(JudgedBody::VisitFields(self, archive); CVO_FIELD(truth, estimated, predicted));
 };
 
 // truth.json: the truth of a run in the world frame of the run, which is that of the first left
