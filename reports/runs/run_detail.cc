@@ -23,10 +23,7 @@ struct FramesOfRun {
 
   std::vector<CameraFrame> frames;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("frames", self.frames);
-  }
+  CVO_FIELDS(frames);
 };
 
 // Reads the bodies of truth.json, whose frames are indices into the frames of the run.
