@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "reports/chart/chart.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
 
-// Numbers and texts for readers of figures and pages.
+// Numbers, texts and looks, the same in all figures and pages.
 
 // A number for sentences: `digits` significant digits, no exponent.
 std::string NumberText(double value, int digits = 3);
@@ -26,6 +27,12 @@ Shown ShownAs(const std::string& metric, const std::string& unit);
 
 // The label of a metric with its unit: "object ATE (m)".
 std::string AxisTitle(const Column& column);
+
+// The label of a column, with its unit if another column has the same label.
+std::string NameOf(const Column& column, const Table& table);
+
+// A number with its unit for readers: "0.0625 m", "93.1 %" for a share, "3" for a count.
+std::string QuantityText(double value, const Column& column);
 
 // The value of a cell with its interval: "0.0213 m (0.018 to 0.025)".
 std::string CellValueText(const Cell& cell, const Column& column);
@@ -45,5 +52,21 @@ std::string Listed(const std::vector<std::string>& texts);
 
 // Reduces a text to lower-case letters, digits and "-", for file names. At most 80 characters.
 std::string Slug(const std::string& text);
+
+// Gives each name a look that is the same in every figure: colour and symbol, and dashes once the
+// colours repeat. Variants that ship with the program have a fixed look; all other names get the
+// remaining ones in the order given.
+class Palette {
+ public:
+  explicit Palette(const std::vector<std::string>& names);
+
+  // Look without a symbol, for lines, and with one, for points.
+  Look Line(const std::string& name, double width = 1.2) const;
+  Look Points(const std::string& name) const;
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::size_t> places_;  // in the order of all looks
+};
 
 }  // namespace cvo::reports

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Figures about the values of the table: sensitivity to options, drift and steps.
+// Figures about the values of the table over those of an option.
 #include <gmock/gmock.h>
 
 #include "reports/figures/suite_parts.h"
@@ -135,64 +135,6 @@ TEST(Sensitivity, ReportsWhyNothingIsDrawn) {
     many.table.rows.back().keys = {i % 2 == 0 ? "1" : "2", "room " + std::to_string(i / 2)};
   }
   EXPECT_THAT(Draw(many).not_drawn, ElementsAre(HasSubstr("13 curves")));
-}
-
-// One run of a sequence with published results of MVO. The camera and, in one direction, a block
-// have half of the drift of MVO.
-SuiteData HalfOfMvo(int frames) {
-  SuiteData data;
-  RunSummary run;
-  run.sequence.name = "swinging_4_unconstrained";
-  run.sequence.frames = frames;
-  MetricValue camera;
-  camera.name = "camera_max_drift_first25";
-  camera.value = 0.105;
-  run.metrics = {camera};
-  BodyRow block;
-  block.name = "bottom left";
-  block.max_drift = MaxDrifts();
-  block.max_drift->first_motions = {0.495, 0.04067, 0.22968, 0.05498};
-  run.bodies = RunBodies{{block}, {}};
-  PlannedRun planned;
-  planned.job = "job";
-  data.runs.push_back({planned, "ok", "", "", run});
-  DrawnRun drawn;
-  drawn.variant = "full";
-  drawn.job = "job";
-  data.drawn.push_back(drawn);
-  return data;
-}
-
-TEST(DriftReduction, IsInPercentOfPublishedDrift) {
-  SuiteFigures drawing;
-  AddDriftReduction(HalfOfMvo(500), drawing);
-  ASSERT_THAT(drawing.figures, SizeIs(3)) << "MVO by two sources, and ClusterVO";
-  const Figure figure = test::FindFigure(drawing, "drift-reduction-mvo-mvo-2018");
-  EXPECT_THAT(figure.caption, HasSubstr("sources disagree"));
-  const Panel& panel = figure.chart.panels.at(0);
-  EXPECT_EQ(panel.title, "full");
-  EXPECT_THAT(panel.y.categories, SizeIs(5)) << "the camera and four blocks";
-  std::vector<std::tuple<int, int, std::string>> cells;
-  for (const HeatCell& cell : panel.cells) cells.emplace_back(cell.row, cell.column, cell.text);
-  using Cells = std::vector<std::tuple<int, int, std::string>>;
-  EXPECT_EQ(cells, Cells({{0, 0, "−50"}, {3, 0, "−50"}, {3, 1, "0"}, {3, 2, "+100"}, {3, 3, "0"}}));
-}
-
-TEST(DriftReduction, IsDrawnOnlyForTheSameFrames) {
-  SuiteFigures drawing;
-  AddDriftReduction(HalfOfMvo(40), drawing);
-  EXPECT_THAT(drawing.figures, IsEmpty());
-  ASSERT_THAT(drawing.not_drawn, SizeIs(3));
-  EXPECT_THAT(drawing.not_drawn[0], HasSubstr("frames 0:500 alone"));
-}
-
-TEST(DriftReduction, IsNotDrawnForOtherSequences) {
-  SuiteData data = HalfOfMvo(500);
-  data.runs[0].run->sequence.name = "room";
-  SuiteFigures drawing;
-  AddDriftReduction(data, drawing);
-  EXPECT_THAT(drawing.figures, IsEmpty());
-  EXPECT_THAT(drawing.not_drawn, IsEmpty());
 }
 
 }  // namespace
