@@ -15,12 +15,12 @@
 #include "core/files/sha256.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "experiments/cache/content_hash.h"
 #include "experiments/calibration/rectification.h"
 #include "experiments/calibration/rig_file.h"
 #include "experiments/calibration/stereo_rig.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/import/stereo_source.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
 namespace fs = std::filesystem;

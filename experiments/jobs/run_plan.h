@@ -10,7 +10,7 @@
 
 #include "experiments/jobs/engine.h"
 #include "experiments/jobs/job_status.h"
-#include "experiments/runner/job_cache.h"
+#include "experiments/runner/run_job.h"
 #include "experiments/suite/plan/build_plan.h"
 
 namespace cvo {

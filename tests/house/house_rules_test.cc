@@ -52,11 +52,11 @@ TEST(Includes, TheEstimatorUsesNoFilesJsonOrClock) {
 }
 
 TEST(Includes, FollowTheLayersOfTheExperiments) {
-  ExpectIncludes("experiments/metrics/a.cc", {}, {"\"experiments/record/job_identity.h\""});
+  ExpectIncludes("experiments/metrics/a.cc", {}, {"\"experiments/runner/identity.h\""});
   ExpectIncludes("core/files/a.cc", {}, {"\"experiments/datasets/sequence.h\""});
   ExpectIncludes("experiments/datasets/a.cc", {"\"core/files/json/json.h\""},
                  {"\"experiments/runner/a.h\""});
-  ExpectIncludes("experiments/record/a.cc", {"\"build_sources.h\""}, {"\"experiments/cli/a.h\""});
+  ExpectIncludes("experiments/runner/a.cc", {"\"build_sources.h\""}, {"\"experiments/cli/a.h\""});
   ExpectIncludes("experiments/runner/a.cc", {}, {"\"reports/tables/table.h\""});
   ExpectIncludes("experiments/cli/a.cc", {"\"reports/tables/table.h\""}, {});
 }
@@ -86,7 +86,7 @@ TEST(Includes, OnlyOverlaysDraw) {
   ExpectIncludes("reports/overlays/a.cc",
                  {"<opencv2/imgproc.hpp>", "\"reports/runs/run_detail.h\"",
                   "\"core/geometry/rigid_transform.h\""},
-                 {"\"experiments/cache/cache_file.h\"", "<ceres/ceres.h>"});
+                 {"\"experiments/runner/cache_file.h\"", "<ceres/ceres.h>"});
   ExpectIncludes("reports/page/a.cc", {}, {"<opencv2/core/mat.hpp>"});
 }
 

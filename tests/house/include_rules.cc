@@ -84,23 +84,20 @@ std::vector<Part> MakeParts() {
       {"experiments/scene_check/",
        {"core/", "experiments/datasets/", "experiments/metrics/", "experiments/scene_check/"},
        {}});
-  parts.push_back(
-      {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
   parts.push_back({"experiments/import/",
                    {"core/", "experiments/calibration/", "experiments/datasets/",
-                    "experiments/cache/", "experiments/import/"},
+                    "experiments/runner/", "experiments/import/"},
                    {}});
   parts.push_back({"experiments/yolo/", {"core/", "experiments/yolo/"}, {}});
   // Results are written with the schema with which reports read them.
   std::vector<std::string> below = {"core/", "variants/", "core/record/", "experiments/datasets/",
                                     "experiments/metrics/"};
   parts.push_back({"experiments/suite/shipped/", {"experiments/suite/shipped/"}, {}});
-  for (const char* folder :
-       {"cache", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
+  for (const char* folder : {"runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
     const std::string part = StrCat("experiments/", folder, "/");
     below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");
-    if (folder != std::string("cache")) parts.push_back({part, below, {}});
+    parts.push_back({part, below, {}});
   }
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
