@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "experiments/datasets/images.h"
-#include "experiments/record/job_identity.h"
 #include "experiments/runner/frame_detections.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
 namespace {

@@ -12,7 +12,6 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "core/files/text/number.h"
-#include "experiments/cache/content_hash.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/progress.h"
@@ -21,8 +20,9 @@
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/clock_offset.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
-#include "experiments/runner/score_files.h"
+#include "experiments/runner/system_run.h"
 #include "experiments/suite/plan_inputs.h"
 
 namespace cvo {
