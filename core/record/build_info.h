@@ -13,18 +13,14 @@ struct LibraryVersions {
   std::string opencv;
   std::string eigen;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Added("opencv", self.opencv);
-    archive.Added("eigen", self.eigen);
-  }
+  CVO_RECORD(CVO_ADDED(opencv, eigen));
 };
 
 // The build of the program that made a run.
 struct BuildInfo {
   std::string version;
   std::string estimator_sources;   // SHA-256 over core, variants and the readers
-  std::string evaluation_sources;  // SHA-256 over metrics, runner, record and cache
+  std::string evaluation_sources;  // SHA-256 over metrics and runner
   std::string compiler;
   std::string build_type;
   std::string flags;

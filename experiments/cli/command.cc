@@ -11,7 +11,7 @@
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/record/build_identity.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
 

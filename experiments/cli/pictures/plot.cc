@@ -17,9 +17,8 @@
 #include "experiments/cli/pictures/figures.h"
 #include "experiments/cli/pictures/plot_tracks.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/metrics/alignment.h"
-#include "reports/figures/numbers.h"
-#include "reports/figures/palette.h"
+#include "experiments/metrics/trajectory.h"
+#include "reports/figures/figure_style.h"
 
 namespace cvo {
 namespace {

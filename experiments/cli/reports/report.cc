@@ -23,7 +23,7 @@
 #include "experiments/cli/pictures/run_images.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "experiments/cli/scratch_folder.h"
-#include "reports/figures/numbers.h"
+#include "reports/figures/figure_style.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/picture_files.h"
 #include "reports/page/page.h"

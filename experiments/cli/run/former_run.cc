@@ -7,9 +7,8 @@
 
 #include "core/files/json/options_json.h"
 #include "core/record/run_summary.h"
-#include "experiments/cache/content_hash.h"
 #include "experiments/cli/output_file.h"
-#include "experiments/record/job_identity.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
 namespace {

@@ -14,7 +14,7 @@
 #include "experiments/cli/run/text_table.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/result_file.h"
+#include "experiments/runner/result_file.h"
 #include "reports/overlays/picture_files.h"
 
 namespace cvo {

@@ -24,7 +24,6 @@
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/stop_signal.h"
-#include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/plan_inputs.h"
 #include "synth/write/render_cache.h"
