@@ -63,7 +63,7 @@ TEST(Includes, FollowTheLayersOfTheExperiments) {
 
 TEST(Includes, NestedFoldersAreBelowOrAboveTheirParent) {
   ExpectIncludes("core/files/a.cc", {"\"core/files/text/utf8.h\""}, {"\"core/files/json/json.h\""});
-  ExpectIncludes("core/files/text/a.cc", {}, {"\"core/files/disk.h\""});
+  ExpectIncludes("core/files/text/a.cc", {}, {"\"core/files/atomic_file.h\""});
   ExpectIncludes("core/files/json/a.cc", {"\"core/files/text_file.h\""}, {});
   ExpectIncludes("experiments/metrics/a.cc", {}, {"\"experiments/metrics/objects/a.h\""});
   ExpectIncludes("experiments/datasets/a.cc", {"\"experiments/metrics/objects/a.h\""}, {});
