@@ -16,7 +16,7 @@
 
 // The system calls that results and caches depend on, in one place so that a test can make each of
 // them fail. With CLUSTERVO_FAULT=<fault>,<call>,<n>,<file> in the environment, the n-th call (from
-// 1) of a kind ("open", "read", "write", "sync", "rename", "link") has a fault. Calls are counted
+// 1) of a kind ("open", "read", "write", "sync", "rename") has a fault. Calls are counted
 // over all processes that share <file>, a counter of 8 bytes. A fault is "fail" (no space; an I/O
 // error for a read), "short" (half of the bytes are written or read) or "kill" (of the process).
 namespace cvo {

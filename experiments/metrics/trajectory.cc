@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/files/json/json_record.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/calibration/kitti_calibration.h"
@@ -204,19 +205,6 @@ std::vector<std::optional<RigidTransform>> PosesAtFrames(const TimeAssociation& 
 
 namespace {
 
-struct AlignmentText {
-  TrajectoryAlignment alignment;
-  const char* name;
-  const char* description;
-};
-
-constexpr std::array<AlignmentText, 5> kTexts = {
-    {{TrajectoryAlignment::kNone, "none", "not aligned"},
-     {TrajectoryAlignment::kSe3, "se3", "aligned by SE(3) over positions"},
-     {TrajectoryAlignment::kSim3, "sim3", "aligned by Sim(3) over positions, with scale"},
-     {TrajectoryAlignment::kOrigin, "origin", "aligned at the first common pose"},
-     {TrajectoryAlignment::kYaw, "yaw", "aligned by yaw and translation over positions"}}};
-
 // The rotation does not depend on the scale, which then has a closed form.
 Similarity AlignWithScale(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
   const Eigen::Matrix3d R = AlignPoints(from, to).RotationMatrix();
@@ -250,12 +238,16 @@ Similarity AlignYaw(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
 }  // namespace
 
 TrajectoryAlignment ParseTrajectoryAlignment(const std::string& text) {
-  if (const auto* entry = FindBy(kTexts, &AlignmentText::name, text)) return entry->alignment;
-  ThrowError("alignment", text, "one of: " + Joined(kTexts, ", ", &AlignmentText::name));
+  if (const auto alignment = EnumOf<TrajectoryAlignment>(text)) return *alignment;
+  ThrowError("alignment", text, "one of: " + Joined(EnumNames(TrajectoryAlignment()), ", "));
 }
 
 std::string DescriptionOf(TrajectoryAlignment alignment) {
-  return kTexts.at(static_cast<std::size_t>(alignment)).description;
+  constexpr std::array kDescriptions = {"not aligned", "aligned by SE(3) over positions",
+                                        "aligned by Sim(3) over positions, with scale",
+                                        "aligned at the first common pose",
+                                        "aligned by yaw and translation over positions"};
+  return kDescriptions.at(static_cast<std::size_t>(alignment));
 }
 
 Similarity AlignTrajectory(const CommonPoses& poses, TrajectoryAlignment alignment,

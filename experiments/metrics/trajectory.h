@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -73,7 +74,10 @@ enum class TrajectoryAlignment {
   kOrigin,  // the first common pose coincides
   kYaw,     // rotation about the vertical and translation, least squares over positions
 };
-// Parses "none", "se3", ...; throws Error for any other text.
+constexpr std::array<const char*, 5> EnumNames(TrajectoryAlignment) {
+  return {"none", "se3", "sim3", "origin", "yaw"};
+}
+// Throws Error for a text that is not one of these names.
 TrajectoryAlignment ParseTrajectoryAlignment(const std::string& text);
 // Returns a description such as "aligned by SE(3) over positions".
 std::string DescriptionOf(TrajectoryAlignment alignment);

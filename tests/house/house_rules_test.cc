@@ -62,7 +62,7 @@ TEST(Includes, TheEstimatorUsesNoFilesJsonOrClock) {
 
 TEST(Includes, NestedFoldersAreBelowOrAboveTheirParent) {
   ExpectIncludes("core/files/a.cc", {"\"core/files/text/utf8.h\""}, {"\"core/files/json/json.h\""});
-  ExpectIncludes("core/files/text/a.cc", {}, {"\"core/files/disk.h\""});
+  ExpectIncludes("core/files/text/a.cc", {}, {"\"core/files/atomic_file.h\""});
   ExpectIncludes("core/files/json/a.cc", {"\"core/files/text_file.h\""}, {});
 }
 

@@ -69,6 +69,12 @@ void SetIntrinsics(double fx, double fy, double cx, double cy, LensCamera& camer
   camera.cy = cy;
 }
 
+// The size of the images, if the calibration states it.
+void SetSize(const YamlMap& map, const char* width, const char* height, StereoRig& rig) {
+  if (map.Has(width)) rig.width_px = static_cast<int>(map.Number(width));
+  if (map.Has(height)) rig.height_px = static_cast<int>(map.Number(height));
+}
+
 // Our own format.
 
 LensCamera OurCamera(const YamlMap& map) {
@@ -97,14 +103,13 @@ StereoRig ReadOurs(const YamlMap& map) {
     if (!(baseline_m > 0.0)) map.Fail("baseline_m", StrCat(baseline_m), "a positive number");
     rig.right_from_left = RigidTransform(Eigen::Matrix3d::Identity(), {-baseline_m, 0.0, 0.0});
   }
-  if (map.Has("width_px")) rig.width_px = static_cast<int>(map.Number("width_px"));
-  if (map.Has("height_px")) rig.height_px = static_cast<int>(map.Number("height_px"));
+  SetSize(map, "width_px", "height_px", rig);
   return rig;
 }
 
-// Kalibr's format.
+// Kalibr's and EuRoC's formats, which name the radial model and the coefficients differently.
 
-LensCamera KalibrCamera(const YamlMap& map) {
+LensCamera PinholeCamera(const YamlMap& map, const char* radial, const char* coefficients) {
   LensCamera camera;
   const std::vector<double> k = map.Numbers("intrinsics");
   const std::string model = map.Text("camera_model");
@@ -113,12 +118,22 @@ LensCamera KalibrCamera(const YamlMap& map) {
   SetIntrinsics(k[0], k[1], k[2], k[3], camera);
   const std::string lens = map.Text("distortion_model");
   if (lens == "none") return camera;
-  if (lens != "radtan" && lens != "equidistant") {
-    map.Fail("distortion_model", Quoted(lens), "radtan, equidistant or none");
+  if (lens != radial && lens != "equidistant") {
+    map.Fail("distortion_model", Quoted(lens), StrCat(radial, ", equidistant or none"));
   }
-  SetLens(map, "distortion_coeffs",
-          lens == "radtan" ? LensModel::kPlumbBob : LensModel::kEquidistant, camera);
+  SetLens(map, coefficients, lens == radial ? LensModel::kPlumbBob : LensModel::kEquidistant,
+          camera);
   return camera;
+}
+
+StereoRig ReadPinholes(const YamlMap& left, const YamlMap& right, const char* radial,
+                       const char* coefficients, const RigidTransform& right_from_left) {
+  StereoRig rig = {PinholeCamera(left, radial, coefficients),
+                   PinholeCamera(right, radial, coefficients), right_from_left};
+  const std::vector<double> size = left.Numbers("resolution", 2);
+  rig.width_px = static_cast<int>(size[0]);
+  rig.height_px = static_cast<int>(size[1]);
+  return rig;
 }
 
 bool Says(const std::string& text, const char* side) {
@@ -142,28 +157,8 @@ StereoRig ReadKalibr(const YamlMap& map, const std::string& left_key,
   const YamlMap right = map.Map(right_key);
   CheckTopic(left, "left", "right");
   CheckTopic(right, "right", "left");
-  StereoRig rig = {KalibrCamera(left), KalibrCamera(right), ReadTransform(right, "T_cn_cnm1")};
-  const std::vector<double> size = left.Numbers("resolution", 2);
-  rig.width_px = static_cast<int>(size[0]);
-  rig.height_px = static_cast<int>(size[1]);
-  return rig;
-}
-
-// EuRoC's format.
-
-LensCamera SensorCamera(const YamlMap& map) {
-  LensCamera camera;
-  const std::string model = map.Text("camera_model");
-  if (model != "pinhole") map.Fail("camera_model", Quoted(model), "pinhole");
-  const std::vector<double> k = map.Numbers("intrinsics", 4);
-  SetIntrinsics(k[0], k[1], k[2], k[3], camera);
-  const std::string lens = map.Text("distortion_model");
-  if (lens != "radial-tangential" && lens != "equidistant") {
-    map.Fail("distortion_model", Quoted(lens), "radial-tangential or equidistant");
-  }
-  SetLens(map, "distortion_coefficients",
-          lens == "equidistant" ? LensModel::kEquidistant : LensModel::kPlumbBob, camera);
-  return camera;
+  return ReadPinholes(left, right, "radtan", "distortion_coeffs",
+                      ReadTransform(right, "T_cn_cnm1"));
 }
 
 // OpenCV's format.
@@ -190,8 +185,7 @@ StereoRig ReadOpenCv(const YamlMap& map, const OpenCvKeys& keys) {
       Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.data());
   StereoRig rig = {OpenCvCamera(map, keys, "1"), OpenCvCamera(map, keys, "2"),
                    RigidTransform(NearestRotation(rotation), {t[0], t[1], t[2]})};
-  if (map.Has("image_width")) rig.width_px = static_cast<int>(map.Number("image_width"));
-  if (map.Has("image_height")) rig.height_px = static_cast<int>(map.Number("image_height"));
+  SetSize(map, "image_width", "image_height", rig);
   return rig;
 }
 
@@ -361,11 +355,9 @@ StereoRig ReadKalibrRig(const fs::path& path, const std::string& left, const std
 StereoRig ReadSensorRig(const fs::path& left, const fs::path& right) {
   const YamlMap left_map = YamlMap::Read(left);
   const YamlMap right_map = YamlMap::Read(right);
-  StereoRig rig = {SensorCamera(left_map), SensorCamera(right_map),
-                   ReadTransform(right_map, "T_BS").Inverse() * ReadTransform(left_map, "T_BS")};
-  const std::vector<double> size = left_map.Numbers("resolution", 2);
-  rig.width_px = static_cast<int>(size[0]);
-  rig.height_px = static_cast<int>(size[1]);
+  const StereoRig rig =
+      ReadPinholes(left_map, right_map, "radial-tangential", "distortion_coefficients",
+                   ReadTransform(right_map, "T_BS").Inverse() * ReadTransform(left_map, "T_BS"));
   return Checked(rig, right);
 }
 

@@ -222,9 +222,8 @@ bool IsWhole(const fs::path& folder) try {
 
 }  // namespace
 
-ImportOutcome ImportStereo(
-    const StereoImport& request, const fs::path& folder,
-    const std::function<void(std::size_t done, std::size_t total)>& progress) {
+ImportOutcome ImportStereo(const StereoImport& request, const fs::path& folder,
+                           const ImportProgress& progress) {
   const StereoRig rig = ReadStereoRig(request.calibration);
   PairReader pairs(request);
   // Detects errors in the times early. For a video this is not possible, as it may not have as many
@@ -266,7 +265,7 @@ ImportOutcome ImportStereo(
 }
 
 fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
-                         const std::function<void(std::size_t done, std::size_t total)>& progress) {
+                         const ImportProgress& progress) {
   constexpr const char* kMadeBy =
       "import 2\n";  // to be changed if the same input yields other images or an error
   constexpr std::size_t kShortHash = 16;

@@ -29,6 +29,8 @@ struct ImportOutcome {
   std::vector<std::string> damaged = {};  // "frame 3: <file>: found ..., expected ..."
 };
 
+using ImportProgress = std::function<void(std::size_t done, std::size_t total)>;
+
 // File that records the inputs of the import and the SHA-256 of every other file.
 inline constexpr const char* kImportRecord = "import.json";
 
@@ -38,15 +40,14 @@ inline constexpr const char* kImportRecord = "import.json";
 // lose its frame. The folder appears complete or not at all. Throws Error if it exists, if the
 // cameras have different numbers or sizes of images or one has an image that the other lacks, for
 // files that cannot be read, and for a rate if the times are known.
-ImportOutcome ImportStereo(
-    const StereoImport& request, const std::filesystem::path& folder,
-    const std::function<void(std::size_t done, std::size_t total)>& progress);
+ImportOutcome ImportStereo(const StereoImport& request, const std::filesystem::path& folder,
+                           const ImportProgress& progress);
 
 // Returns the folder of the sequence that ImportStereo makes. The sequence is made only once, below
 // `cache`, under the hash of all its inputs, and again if one of its files has changed. Throws
 // Error as ImportStereo.
-std::filesystem::path ImportIntoCache(
-    const StereoImport& request, const std::filesystem::path& cache,
-    const std::function<void(std::size_t done, std::size_t total)>& progress);
+std::filesystem::path ImportIntoCache(const StereoImport& request,
+                                      const std::filesystem::path& cache,
+                                      const ImportProgress& progress);
 
 }  // namespace cvo

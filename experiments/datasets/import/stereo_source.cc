@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
@@ -26,37 +27,13 @@ using Files = std::vector<fs::path>;
 
 constexpr std::string_view kDecimalDigits = "0123456789";
 
-bool StartsWithDigit(std::string_view text) { return text.find_first_of(kDecimalDigits) == 0; }
-
 std::string_view WithoutLeadingZeros(std::string_view digits) {
   return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
 }
 
-// Removes and returns the first part of a text: its leading digits, or else one character. Leading
-// zeros of a number are dropped.
-std::string_view TakePart(std::string_view& text) {
-  const std::size_t digits = std::min(text.find_first_not_of(kDecimalDigits), text.size());
-  const std::string_view part = text.substr(0, std::max<std::size_t>(digits, 1));
-  text.remove_prefix(part.size());
-  return digits == 0 ? part : WithoutLeadingZeros(part);
-}
-
+// Compares runs of digits as numbers of any length.
 bool IsBefore(const fs::path& a, const fs::path& b) {
-  const std::string a_name = a.filename().string();
-  const std::string b_name = b.filename().string();
-  std::string_view a_rest = a_name;
-  std::string_view b_rest = b_name;
-  while (!a_rest.empty() && !b_rest.empty()) {
-    const std::string_view a_part = TakePart(a_rest);
-    const std::string_view b_part = TakePart(b_rest);
-    if (a_part == b_part) continue;
-    // Numbers are compared by their number of digits first, as they may exceed any integer type.
-    const bool numbers = StartsWithDigit(a_part) && StartsWithDigit(b_part);
-    if (!numbers || a_part.size() == b_part.size()) return a_part < b_part;
-    return a_part.size() < b_part.size();
-  }
-  if (a_rest.empty() != b_rest.empty()) return a_rest.empty();
-  return a_name < b_name;
+  return ::strverscmp(a.filename().c_str(), b.filename().c_str()) < 0;
 }
 
 // Files by the numeric value of their names. Empty unless all names are numbers and no two are

@@ -203,12 +203,6 @@ RigidTransform RelativeMotion(const SceneFolder& scene, int frame, int body) {
          scene.bodies[i][index].world_from_object.Inverse() * scene.world_from_left[i];
 }
 
-double Median(std::vector<float> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 std::vector<BodyMotion> CompareFrames(const SceneFolder& scene, int frame) {
   const auto i = static_cast<std::size_t>(frame);
   const cv::Mat image = ReadGrey(scene.sequence.images[i].left);
@@ -224,9 +218,9 @@ std::vector<BodyMotion> CompareFrames(const SceneFolder& scene, int frame) {
                     body == 0 ? 2 : 1, depth_errors);
     if (static_cast<int>(predictions.size()) < kMinShiftPixels) continue;
     ImageShift shift = EstimateShift(image, next_image, predictions);
-    const double residual = Median(std::exchange(shift.residuals, {}));
-    motions.push_back(
-        {body, frame, std::move(shift), Median(std::move(depth_errors)), residual, noise});
+    const double residual = MedianOf(shift.residuals);
+    shift.residuals.clear();
+    motions.push_back({body, frame, std::move(shift), MedianOf(depth_errors), residual, noise});
   }
   return motions;
 }

@@ -61,7 +61,7 @@ void CompareVelocity(const SceneFolder& scene, std::size_t frame, std::size_t bo
 // The pixels of a body in one frame.
 struct Mask {
   int pixels = 0;
-  TruthBox box = {1e9, 1e9, -1e9, -1e9};
+  ImageBox box = {1e9, 1e9, -1e9, -1e9};
   double outside_box_m = 0.0;  // largest distance outside the 3D box, less that allowed by depth
 };
 
@@ -120,7 +120,7 @@ FrameMasks MeasureMasks(const SceneFolder& scene, int frame) {
   return result;
 }
 
-double BoxDifference_px(const TruthBox& a, const TruthBox& b) {
+double BoxDifference_px(const ImageBox& a, const ImageBox& b) {
   return std::max({std::abs(a.left_px - b.left_px), std::abs(a.top_px - b.top_px),
                    std::abs(a.right_px - b.right_px), std::abs(a.bottom_px - b.bottom_px)});
 }

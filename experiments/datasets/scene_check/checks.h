@@ -53,6 +53,9 @@ std::vector<Result> ForAll(int count, TaskPool& pool, const Work& work) {
   return results;
 }
 
+// Returns the upper median; 0 for no values.
+float MedianOf(std::vector<float> values);
+
 // Returns the point at a pixel, in the left camera. The pixel's depth must be positive.
 Eigen::Vector3d PointAt(const StereoCamera& camera, const cv::Mat& depth, int u, int v);
 

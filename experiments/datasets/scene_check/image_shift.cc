@@ -60,13 +60,6 @@ bool Inside(const cv::Mat& image, double u, double v) {
          v < image.rows - 1 - kBorder_px;
 }
 
-float MedianOf(std::vector<float>& values) {
-  if (values.empty()) return 0.0F;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // The unknowns x are the shift in u and v, gain - 1, and offset.
 struct Fit {
   Eigen::Vector4d x = Eigen::Vector4d::Zero();
@@ -121,6 +114,13 @@ std::vector<PixelPrediction> Usable(const cv::Mat& source, const cv::Mat& target
 }
 
 }  // namespace
+
+float MedianOf(std::vector<float> values) {
+  if (values.empty()) return 0.0F;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 double ImageShift::MaxSigma_px() const {
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(information).eigenvalues()[0];

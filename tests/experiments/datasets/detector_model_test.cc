@@ -8,7 +8,8 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "tests/experiments/datasets/tiny_network.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/error_message.h"
 
 namespace cvo::detector_model_test {
 namespace {
@@ -22,12 +23,7 @@ class DetectorModelTest : public testing::Test {
     return files;
   }
   static void ExpectError(const DetectorFiles& files, const std::string& text) {
-    try {
-      DetectorModel model(files);
-      ADD_FAILURE() << "no error: " << text;
-    } catch (const Error& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(text));
-    }
+    EXPECT_THAT(ErrorMessage([&] { DetectorModel model(files); }), testing::HasSubstr(text));
   }
 
   test::TempFolder folder_;

@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "experiments/datasets/calibration/stereo_rig.h"
+#include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::rig_file_test {
@@ -139,12 +140,7 @@ class RigFile : public testing::Test {
     return ReadStereoRig(folder_.Write("calib", text));
   }
   void ExpectError(const std::string& text, const std::string& message) const {
-    try {
-      Read(text);
-      ADD_FAILURE() << "no error: " << message;
-    } catch (const Error& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(message));
-    }
+    EXPECT_THAT(ErrorMessage([&] { Read(text); }), testing::HasSubstr(message));
   }
 
   test::TempFolder folder_;
@@ -205,12 +201,8 @@ TEST_F(RigFile, ReadsOpenCvCalibration) {
 // Calibrations that are impossible for cameras with images of this size.
 TEST_F(RigFile, RefusesImpossibleCameras) {
   const auto expect_error = [&](const std::string& text, const std::string& message) {
-    try {
-      CheckCameras(Read(text), 640, 480, "calib");
-      ADD_FAILURE() << "no error: " << message;
-    } catch (const Error& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(message));
-    }
+    EXPECT_THAT(ErrorMessage([&] { CheckCameras(Read(text), 640, 480, "calib"); }),
+                testing::HasSubstr(message));
   };
   expect_error("fx: 700\nfy: 700\ncx: 640\ncy: 240\nbaseline_m: 0.1\n",
                "calib, left camera: found cx 640, cy 240, expected a centre within the images of "

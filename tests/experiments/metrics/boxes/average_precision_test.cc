@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+
 #include "experiments/metrics/boxes/average_precision.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
 
 namespace cvo::average_precision_test {
 namespace {
@@ -67,36 +71,6 @@ TEST(AveragePrecision, FalseDetectionsHalveThePrecision) {
   const AveragePrecision ap = Moderate(frames);
   EXPECT_DOUBLE_EQ(ap.precision[0], 0.5);
   EXPECT_DOUBLE_EQ(ap.ap40, 0.25);
-}
-
-TEST(AveragePrecision, LabelsBeyondTheLevelAreIgnored) {
-  ObjectBox small = Box("Car", 0, 50.0, 30.0);
-  ObjectBox hidden = Box("Car", 100);
-  hidden.occlusion = 2;
-  ObjectBox cut = Box("Car", 200);
-  cut.truncation = 0.4;
-  const std::vector<ApFrame> frames = {{{small, hidden, cut, Box("Car", 300)}, {}}};
-  const auto levels = EvaluateAp(frames, {});
-  EXPECT_EQ(levels[0].valid_labels, 1);
-  EXPECT_EQ(levels[1].valid_labels, 2);
-  EXPECT_EQ(levels[2].valid_labels, 4);
-  ApProtocol truncated;
-  truncated.truncation = TruncationRule::kIgnored;
-  EXPECT_EQ(EvaluateAp(frames, truncated)[1].valid_labels, 3);
-}
-
-// A label of exactly the minimum height is valid; the height of a detection is first truncated to
-// whole pixels.
-TEST(AveragePrecision, HeightLimits) {
-  EXPECT_EQ(Moderate({{{Box("Car", 0, 50, 25.0)}, {}}}).valid_labels, 1);
-  EXPECT_EQ(Moderate({{{Box("Car", 0, 50, 24.99)}, {}}}).valid_labels, 0);
-  const auto precision_beside = [](double height_px) {
-    ApFrame frame = kFound;
-    frame.detections.push_back(Scored(Box("Car", 500, 50, height_px), 0.95));
-    return Moderate({frame}).precision[0];
-  };
-  EXPECT_EQ(precision_beside(24.99), 1.0);
-  EXPECT_EQ(precision_beside(25.0), 0.5);
 }
 
 TEST(AveragePrecision, NeighboursAndOtherClasses) {
@@ -168,11 +142,6 @@ TEST(AveragePrecision, OverlapMustExceedTheLimit) {
   EXPECT_EQ(Moderate({frame}, protocol).precision[0], 1.0);
 }
 
-TEST(AveragePrecision, NothingAtAll) {
-  EXPECT_EQ(Moderate({}).ap40, 0.0);
-  EXPECT_EQ(Moderate({{{}, {Scored(Box("Car", 0), 1.0)}}}).ap11, 0.0);
-}
-
 TEST(AveragePrecision, LimitsOfTheDifficultyLevels) {
   const auto valid = [](int occlusion, double truncation, double height_px) {
     ObjectBox label = Box("Car", 0, 50.0, height_px);
@@ -196,17 +165,6 @@ TEST(AveragePrecision, LimitsOfTheDifficultyLevels) {
   EXPECT_EQ(valid(1, 0.0, 40.0), (Levels{0, 1, 1}));
   EXPECT_EQ(valid(2, 0.0, 40.0), (Levels{0, 0, 1}));
   EXPECT_EQ(valid(3, 0.0, 40.0), (Levels{0, 0, 0}));
-}
-
-// Two overlapping cars, with one box on the first and a higher-scoring one between them. At the
-// lower threshold, which a car in another frame sets, each car has a box.
-TEST(AveragePrecision, ALabelTakesTheBoxOfLargestOverlap) {
-  const ApFrame both = {{Box("Car", 0), Box("Car", 10)},
-                        {Scored(Box("Car", 5), 0.9), Scored(Box("Car", 0), 0.5)}};
-  const ApFrame other = {{Box("Car", 0)}, {Scored(Box("Car", 0), 0.4)}};
-  const AveragePrecision ap = Moderate({both, other});
-  EXPECT_EQ(ap.precision[1], 1.0);
-  EXPECT_DOUBLE_EQ(ap.ap40, 1.0 / 40.0);
 }
 
 // Twenty of forty cars are found, and a false positive ranks 16th. Up to recall 1/2, each slot has
@@ -258,12 +216,105 @@ TEST(AveragePrecision, IgnoredBoxesAreTakenLast) {
   EXPECT_EQ(Moderate({frame, kFound}).precision[0], 0.5) << "false, and not small";
 }
 
-TEST(AveragePrecision, BoxesWithoutAScoreRankFirst) {
-  const ApFrame frame = {{Box("Car", 0)}, {Box("Car", 0), Scored(Box("Car", 500), 0.99)}};
-  EXPECT_EQ(Moderate({frame}).precision[0], 1.0);
-  const ApFrame equal = {{Box("Car", 0)}, {Box("Car", 0), Scored(Box("Car", 500), 1.0)}};
-  EXPECT_EQ(Moderate({equal}).precision[0], 0.5);
+}  // namespace
+}  // namespace cvo::average_precision_test
+
+namespace cvo::box_overlap_test {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+ObjectBox ImageBox(double left, double top, double right, double bottom) {
+  ObjectBox box;
+  box.left_px = left;
+  box.top_px = top;
+  box.right_px = right;
+  box.bottom_px = bottom;
+  return box;
+}
+
+ObjectBox Solid(double x, double y, double z, double heading, double length = 4.0,
+                double width = 2.0, double height = 1.5) {
+  ObjectBox box;
+  box.box3d = ObjectBox::Box3d{height, width, length, {x, y, z}, heading};
+  return box;
+}
+
+TEST(BoxOverlap, InTheImage) {
+  const ObjectBox a = ImageBox(0, 0, 10, 10);
+  const ObjectBox b = ImageBox(5, 0, 15, 10);
+  EXPECT_DOUBLE_EQ(IntersectionOverUnion(BoxSpace::kImage, a, b), 50.0 / 150.0);
+  EXPECT_DOUBLE_EQ(ShareInside(ImageBox(0, 0, 10, 10), ImageBox(5, 5, 100, 100)), 0.25);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kImage, a, ImageBox(10, 0, 20, 10)), 0.0);
+  EXPECT_EQ(ShareInside(ImageBox(3, 3, 3, 3), a), 0.0);
+}
+
+// At heading 0 the length lies along x.
+TEST(BoxOverlap, LengthIsAlongTheHeading) {
+  const ObjectBox a = Solid(0, 0, 10, 0.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(2, 0, 10, 0.0)), 1.0 / 3.0,
+              1e-12);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 11, 0.0)), 1.0 / 3.0,
+              1e-12);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 12.5, 0.0)), 0.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 10, kPi / 2)), 4.0 / 12.0,
+              1e-12);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, Solid(0, 0, 10, kPi)), 1.0, 1e-12);
+}
+
+// Two equal squares, one rotated by 45 degrees: their intersection is a regular octagon.
+TEST(BoxOverlap, OfRotatedSquares) {
+  const double octagon = 2.0 * (std::sqrt(2.0) - 1.0);
+  const ObjectBox a = Solid(1, 0, 5, 0.3, 1.0, 1.0);
+  const ObjectBox b = Solid(1, 0, 5, 0.3 + kPi / 4, 1.0, 1.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kBirdsEye, a, b), octagon / (2.0 - octagon), 1e-12);
+}
+
+// A box extends upwards from the centre of its bottom face; y points down.
+TEST(BoxOverlap, HeightExtendsUpwardsFromTheBottom) {
+  const ObjectBox a = Solid(0, 0, 10, 0.7);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kVolume, a, Solid(0, -0.75, 10, 0.7)), 1.0 / 3.0,
+              1e-12);
+  const ObjectBox taller = Solid(0, 0, 10, 0.7, 4.0, 2.0, 3.0);
+  EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kVolume, a, taller), 0.5, 1e-12);
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kVolume, a, Solid(0, -1.5, 10, 0.7)), 0.0);
+}
+
+TEST(BoxOverlap, WithoutA3dBoxIsZero) {
+  EXPECT_EQ(IntersectionOverUnion(BoxSpace::kBirdsEye, ImageBox(0, 0, 9, 9), Solid(0, 0, 5, 0)),
+            0.0);
+}
+
+// Compares with random points: those in both boxes, divided by those in either.
+TEST(BoxOverlap, MatchesSampling) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  const auto inside = [](const ObjectBox& box, double x, double z) {
+    const double dx = x - box.box3d->bottom_in_camera.x();
+    const double dz = z - box.box3d->bottom_in_camera.z();
+    const double c = std::cos(box.box3d->heading_rad);
+    const double s = std::sin(box.box3d->heading_rad);
+    return std::abs(c * dx - s * dz) < 0.5 * box.box3d->length_m &&
+           std::abs(s * dx + c * dz) < 0.5 * box.box3d->width_m;
+  };
+  for (int trial = 0; trial < 20; ++trial) {
+    const ObjectBox a = Solid(uniform(random), 0, uniform(random), 4.0 * uniform(random));
+    const ObjectBox b = Solid(uniform(random), 0, uniform(random), 4.0 * uniform(random));
+    int both = 0;
+    int any = 0;
+    for (int i = 0; i < 40'000; ++i) {
+      const double x = 4.0 * uniform(random);
+      const double z = 4.0 * uniform(random);
+      const bool in_a = inside(a, x, z);
+      const bool in_b = inside(b, x, z);
+      both += in_a && in_b;
+      any += in_a || in_b;
+    }
+    const double overlap = IntersectionOverUnion(BoxSpace::kBirdsEye, a, b);
+    EXPECT_NEAR(overlap, static_cast<double>(both) / any, 0.02);
+    EXPECT_NEAR(overlap, IntersectionOverUnion(BoxSpace::kBirdsEye, b, a), 1e-12);
+  }
 }
 
 }  // namespace
-}  // namespace cvo::average_precision_test
+}  // namespace cvo::box_overlap_test

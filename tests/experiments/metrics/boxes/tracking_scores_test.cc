@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+
 #include "experiments/metrics/boxes/tracking_scores.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "core/base/error.h"
 
 namespace cvo::tracking_scores_test {
 namespace {
@@ -134,27 +137,6 @@ TEST(TrackingScores, WholeTracksDecideTheMatching) {
   EXPECT_NEAR(hota.loc_a, (12 * (0.82 + 0.82 + 0.62) / 3.0 + 4 * 0.82 + 3.0) / 19.0, 1e-12);
 }
 
-// Two bodies side by side with overlapping boxes: the alignment score of a pair is reduced by the
-// overlap of its boxes with others.
-TEST(TrackingScores, CrowdedTracksStayApart) {
-  TrackedSequence sequence;
-  sequence.truth_count = 2;
-  sequence.estimate_count = 2;
-  for (int k = 0; k < 3; ++k) {
-    sequence.frames.push_back(
-        TrackedFrame{{1, 0}, {0, 1}, Eigen::MatrixXd{{0.4, 0.92}, {0.92, 0.3}}});
-  }
-  const HotaScores hota = EvaluateHota(sequence);
-  EXPECT_NEAR(hota.hota, 18.0 / 19.0, 1e-12);
-  EXPECT_NEAR(hota.ass_a, 18.0 / 19.0, 1e-12);
-  EXPECT_NEAR(hota.loc_a, (18 * 0.92 + 1.0) / 19.0, 1e-12);
-  const ClearScores clear = EvaluateClear(sequence);
-  EXPECT_EQ(clear.matches, 6);
-  EXPECT_EQ(clear.switches, 0);
-  EXPECT_EQ(clear.fragments, 0);
-  EXPECT_DOUBLE_EQ(EvaluateIdentities(sequence).idf1, 1.0);
-}
-
 // If a track is reported under several identities, the one with most of its boxes counts.
 TEST(TrackingScores, TheIdentityOfMostBoxesCounts) {
   const TrackedSequence sequence = OneBody({0, 1, 1, 1, -1});
@@ -166,45 +148,93 @@ TEST(TrackingScores, TheIdentityOfMostBoxesCounts) {
   EXPECT_DOUBLE_EQ(EvaluateIdentities(OneBody({0, 0}, 0.49)).idf1, 0.0);
 }
 
-TEST(TrackingScores, ASingleBox) {
-  const IdentityScores identities = EvaluateIdentities(OneBody({0}));
-  EXPECT_DOUBLE_EQ(identities.recall, 1.0);
-  EXPECT_DOUBLE_EQ(identities.precision, 1.0);
-  EXPECT_DOUBLE_EQ(identities.idf1, 1.0);
-  const HotaScores hota = EvaluateHota(OneBody({0}));
-  EXPECT_DOUBLE_EQ(hota.det_a, 1.0);
-  EXPECT_DOUBLE_EQ(hota.ass_a, 1.0);
+}  // namespace
+}  // namespace cvo::tracking_scores_test
+
+namespace cvo::kitti_rules_test {
+namespace {
+
+ObjectBox Box(const std::string& type, int track, double left_px, double height_px = 50.0) {
+  ObjectBox box;
+  box.type = type;
+  box.track = track;
+  box.truncation = 0.0;
+  box.occlusion = 0;
+  box.left_px = left_px;
+  box.right_px = left_px + 50.0;
+  box.bottom_px = height_px;
+  return box;
 }
 
-TEST(TrackingScores, EverySwitchCounts) {
-  const ClearScores clear = EvaluateClear(OneBody({0, 1, -1, 0, 0}));
-  EXPECT_EQ(clear.switches, 2) << "also across a gap";
-  EXPECT_EQ(clear.fragments, 0) << "a frame without any report ends no piece, as in TrackEval";
-  EXPECT_EQ(clear.missed, 1);
-  EXPECT_DOUBLE_EQ(clear.mota, 1.0 - 3.0 / 5.0);
-  EXPECT_DOUBLE_EQ(EvaluateHota(OneBody({0, 1, -1, 0, 0})).det_a, 0.8);
+TrackedFrame Counted(const std::vector<ObjectBox>& labels,
+                     const std::vector<ObjectBox>& detections) {
+  return CountedBoxes({{labels, detections}}, "Car", BoxSpace::kImage).frames.at(0);
 }
 
-TEST(TrackingScores, AnEmptyFrameEndsNoPiece) {
-  TrackedSequence sequence = OneBody({0, 0, 0});
-  sequence.frames[1] = TrackedFrame{{}, {}, Eigen::MatrixXd(0, 0)};
-  EXPECT_EQ(EvaluateClear(sequence).fragments, 0);
-  EXPECT_DOUBLE_EQ(EvaluateClear(sequence).mota, 1.0);
+TEST(KittiTrackingRules, HiddenOrTruncatedLabelsDoNotCount) {
+  ObjectBox hidden = Box("Car", 1, 0);
+  hidden.occlusion = 3;
+  ObjectBox cut = Box("Car", 2, 100);
+  cut.truncation = 1.0;
+  ObjectBox half = Box("Car", 3, 200);
+  half.occlusion = 2;
+  const TrackedFrame frame =
+      Counted({hidden, cut, half}, {Box("Car", 1, 0), Box("Car", 2, 100), Box("Car", 3, 200)});
+  EXPECT_EQ(frame.truth.size(), 1U);
+  EXPECT_EQ(frame.estimate.size(), 1U);
+  EXPECT_DOUBLE_EQ(frame.similarity(0, 0), 1.0);
 }
 
-TEST(TrackingScores, ReportsWithoutAnyTruth) {
-  TrackedSequence sequence;
-  sequence.estimate_count = 2;
-  sequence.frames = {TrackedFrame{{}, {0, 1}, Eigen::MatrixXd(0, 2)}};
-  const ClearScores clear = EvaluateClear(sequence);
-  EXPECT_EQ(clear.false_boxes, 2);
-  EXPECT_DOUBLE_EQ(clear.mota, -2.0) << "of one true box at least";
-  EXPECT_EQ(clear.motp, 0.0);
-  EXPECT_EQ(EvaluateIdentities(sequence).precision, 0.0);
-  const HotaScores hota = EvaluateHota(sequence);
-  EXPECT_EQ(hota.det_a, 0.0);
-  EXPECT_DOUBLE_EQ(hota.loc_a, 1.0) << "nothing is in the wrong place";
+TEST(KittiTrackingRules, SomeUnmatchedBoxesAreForgiven) {
+  EXPECT_TRUE(Counted({}, {Box("Car", 1, 0, 25.0)}).estimate.empty());
+  EXPECT_EQ(Counted({}, {Box("Car", 1, 0, 25.1)}).estimate.size(), 1U);
+  EXPECT_TRUE(Counted({Box("Van", 1, 0)}, {Box("Car", 1, 0)}).estimate.empty());
+  EXPECT_EQ(Counted({Box("Truck", 1, 0)}, {Box("Car", 1, 0)}).estimate.size(), 1U);
+  EXPECT_TRUE(Counted({Box("DontCare", -1, 20)}, {Box("Car", 1, 0)}).estimate.empty());
+  EXPECT_EQ(Counted({Box("DontCare", -1, 25)}, {Box("Car", 1, 0)}).estimate.size(), 1U);
+  EXPECT_TRUE(Counted({}, {Box("Pedestrian", 1, 0)}).estimate.empty());
+}
+
+TEST(KittiTrackingRules, ATrackHasOneBoxPerFrame) {
+  EXPECT_THROW(Counted({}, {Box("Car", 1, 0), Box("Car", 1, 100)}), Error);
+}
+
+// Each reported box is matched to the labelled box that it lies on, whatever their order.
+TEST(KittiTrackingRules, BoxesAreMatchedOneByOne) {
+  const TrackedFrame frame =
+      Counted({Box("Van", 1, 0), Box("Car", 2, 100), Box("Car", 3, 200)},
+              {Box("Car", 7, 205), Box("Car", 8, 100), Box("Car", 9, 0), Box("Car", 4, 400)});
+  EXPECT_EQ(frame.truth.size(), 2U);
+  ASSERT_EQ(frame.estimate.size(), 3U) << "the one on the van does not count";
+  EXPECT_DOUBLE_EQ(frame.similarity(0, 1), 1.0);
+  EXPECT_DOUBLE_EQ(frame.similarity(1, 0), 45.0 / 55.0);
+  EXPECT_DOUBLE_EQ(frame.similarity(1, 2), 0.0);
+}
+
+TEST(KittiTrackingRules, TracksBecomeConsecutiveIdentities) {
+  const TrackedSequence sequence =
+      CountedBoxes({{{Box("Car", 7, 0), Box("Car", 3, 100)}, {Box("Car", 50, 0)}},
+                    {{Box("Car", 3, 100), Box("Car", 9, 300)}, {Box("Car", 60, 0)}}},
+                   "Car", BoxSpace::kImage);
+  ASSERT_EQ(sequence.frames.size(), 2U);
+  EXPECT_EQ(sequence.frames[0].truth, (std::vector<int>{0, 1}));
+  EXPECT_EQ(sequence.frames[1].truth, (std::vector<int>{1, 2}));
+  EXPECT_EQ(sequence.frames[1].estimate, std::vector<int>{1});
+  EXPECT_EQ(sequence.truth_count, 3);
+  EXPECT_EQ(sequence.estimate_count, 2);
+}
+
+TEST(KittiTrackingRules, ASittingPersonIsANeighbourOfPedestrians) {
+  const auto counted = [](const std::string& type) {
+    return CountedBoxes({{{Box(type, 1, 0)}, {Box("Pedestrian", 1, 0)}}}, "Pedestrian",
+                        BoxSpace::kImage)
+        .frames.at(0);
+  };
+  EXPECT_TRUE(counted("Person_sitting").estimate.empty());
+  EXPECT_TRUE(counted("Person").truth.empty());
+  EXPECT_EQ(counted("Pedestrian").truth.size(), 1U);
+  EXPECT_EQ(counted("Van").estimate.size(), 1U);
 }
 
 }  // namespace
-}  // namespace cvo::tracking_scores_test
+}  // namespace cvo::kitti_rules_test

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+
+#include "experiments/metrics/trajectory.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +10,6 @@
 
 #include "core/base/rng.h"
 #include "core/files/text_file.h"
-#include "experiments/metrics/trajectory.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
@@ -65,11 +67,6 @@ TEST_F(TumTrajectory, ReadsPosesAndComments) {
   EXPECT_NEAR(RotationAngle(t[1].world_from_camera.rotation()), std::numbers::pi / 2, 1e-12);
 }
 
-TEST_F(TumTrajectory, EmptyFileIsAnEmptyTrajectory) {
-  EXPECT_TRUE(Read("").empty());
-  EXPECT_TRUE(Read("# nothing\n\n").empty());
-}
-
 TEST_F(TumTrajectory, RoundTripIsExact) {
   Rng rng(1, "tum");
   Trajectory written;
@@ -89,14 +86,6 @@ TEST_F(TumTrajectory, RoundTripIsExact) {
     }
   }
   EXPECT_EQ(FormatTumTrajectory(read), ReadFileBytes(path));
-}
-
-TEST_F(TumTrajectory, NanosecondAndNegativeTimesRoundTrip) {
-  const Trajectory t = {{-1'500'000'000, {}}, {-1, {}}, {0, {}}, {1, {}}};
-  EXPECT_EQ(FormatTumTrajectory(t).substr(0, 13), "-1.500000000 ");
-  const Trajectory read = Read(FormatTumTrajectory(t));
-  ASSERT_EQ(read.size(), 4u);
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(read[i].timestamp_ns, t[i].timestamp_ns);
 }
 
 TEST_F(TumTrajectory, RefusesWrongColumns) {
@@ -128,11 +117,6 @@ TEST_F(TumTrajectory, RefusesTimesThatDoNotIncrease) {
   EXPECT_THAT(ReadError("2 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n"), HasSubstr(":2: found time \"1\""));
 }
 
-TEST_F(TumTrajectory, MissingFileIsNamed) {
-  EXPECT_THAT(ErrorMessage([&] { ReadTumTrajectory(folder_.path() / "absent.txt"); }),
-              AllOf(HasSubstr("absent.txt: found no such file"), HasSubstr("expected")));
-}
-
 class KittiPoses : public TumTrajectory {
  protected:
   std::vector<RigidTransform> ReadPoses(const std::string& text) {
@@ -142,14 +126,6 @@ class KittiPoses : public TumTrajectory {
     return ErrorMessage([&] { ReadPoses(text); });
   }
 };
-
-TEST_F(KittiPoses, LastLineMayLackANewline) {
-  const std::string row = "1 0 0 4 0 1 0 5 0 0 1 6";
-  EXPECT_EQ(ReadPoses(row + "\n" + row + "\n").size(), 2u);
-  const std::vector<RigidTransform> poses = ReadPoses(row + "\n" + row);
-  ASSERT_EQ(poses.size(), 2u);
-  EXPECT_EQ(poses[1].translation(), Eigen::Vector3d(4, 5, 6));
-}
 
 TEST_F(KittiPoses, RoundTripKeepsPoses) {
   Rng rng(2, "kitti");
@@ -187,3 +163,54 @@ TEST_F(KittiPoses, RefusesBadRows) {
 
 }  // namespace
 }  // namespace cvo::trajectory_files_test
+
+namespace cvo::pose_format_test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kTum = "1.5 0 0 0 0 0 0 1\n";
+constexpr const char* kKitti = "1 0 0 4 0 1 0 5 0 0 1 6\n";
+
+class PoseFormat : public testing::Test {
+ protected:
+  std::string Detected(const std::string& text) {
+    return DetectPoseFormat(folder_.Write("poses.txt", text));
+  }
+  std::string Refused(const std::string& text) {
+    return ErrorMessage([&] { Detected(text); });
+  }
+  test::TempFolder folder_;
+};
+
+TEST_F(PoseFormat, IsDetectedFromTheFirstNonCommentLine) {
+  EXPECT_EQ(Detected(kTum), "tum");
+  EXPECT_EQ(Detected(kKitti), "kitti");
+  EXPECT_EQ(Detected(std::string("# 1 2 3\n\n  #4 5\n") + kTum), "tum");
+  EXPECT_EQ(Detected(std::string("\n") + kKitti + kTum), "kitti");
+  EXPECT_EQ(Detected("1.5 0 0 0 0 0 0 1 # of frame 3\n"), "tum") << "a comment after the pose";
+}
+
+TEST_F(PoseFormat, IsRefusedWithTheLineIfUnknown) {
+  for (const auto& [text, columns] : {std::pair("# x\n1 2 3 4 5 6 7\n", ":2: found 7 columns"),
+                                      {"1 2 3 4 5 6 7 8 9\n", ":1: found 9 columns"},
+                                      {"1 2 3 4 5 6 7 8 9 10 11\n", ":1: found 11 columns"},
+                                      {"\n1 2 3 4 5 6 7 8 9 10 11 12 13\n", ":2: found 13 columns"},
+                                      {"1\n", ":1: found 1 columns"}}) {
+    EXPECT_THAT(Refused(text), HasSubstr(columns));
+  }
+  EXPECT_THAT(Refused(""), HasSubstr("found no pose"));
+  EXPECT_THAT(Refused("# nothing\n\n"), HasSubstr("found no pose"));
+}
+
+TEST_F(PoseFormat, FindsTheLineOfAPoseByIndex) {
+  const auto path = folder_.Write("poses.txt", std::string("# times\n") + kTum + "\n  # gap\n" +
+                                                   "2.5 0 0 0 0 0 0 1\n" + "3.5 0 0 0 0 0 0 1\n");
+  EXPECT_EQ(WhereTumPose(path, 0), path.string() + ":2");
+  EXPECT_EQ(WhereTumPose(path, 1), path.string() + ":5");
+  EXPECT_EQ(WhereTumPose(path, 2), path.string() + ":6");
+  EXPECT_THAT(ErrorMessage([&] { WhereTumPose(path, 3); }), HasSubstr("no such pose"));
+}
+
+}  // namespace
+}  // namespace cvo::pose_format_test

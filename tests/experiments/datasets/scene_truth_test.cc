@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // Reading the ground truth of rendered scenes: what is accepted and what is refused.
+
 #include "experiments/datasets/formats/scene_truth.h"
 
 #include <gmock/gmock.h>
@@ -15,6 +16,7 @@
 #include "tests/support/image_file.h"
 
 namespace cvo {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -210,4 +212,5 @@ TEST_F(SceneSequence, AnotherLabelFileTakesPrecedence) {
 }
 
 }  // namespace
+
 }  // namespace cvo

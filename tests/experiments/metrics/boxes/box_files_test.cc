@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/base/error.h"
 #include "experiments/metrics/boxes/average_precision.h"
+#include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::ap_files_test {
@@ -16,12 +17,10 @@ class ApFiles : public testing::Test {
  protected:
   void ExpectError(const std::string& labels, const std::string& detections,
                    const std::string& text) const {
-    try {
-      ReadApFrames(folder_.path() / labels, folder_.path() / detections, {});
-      ADD_FAILURE() << "no error: " << text;
-    } catch (const Error& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(text));
-    }
+    EXPECT_THAT(ErrorMessage([&] {
+                  ReadApFrames(folder_.path() / labels, folder_.path() / detections, {});
+                }),
+                testing::HasSubstr(text));
   }
 
   test::TempFolder folder_;
@@ -82,26 +81,64 @@ TEST_F(ApFiles, OtherFilesOfAFolderAreIgnored) {
   EXPECT_EQ(frames[0].detections.size(), 2U) << "none has a score, which is all of them";
 }
 
-TEST_F(ApFiles, ImagesAreOrderedByNumber) {
-  folder_.Write("labels/9.txt", std::string(kObject) + "\n");
-  folder_.Write("labels/10.txt", std::string(kObject) + "\n" + kObject + "\n");
-  folder_.Write("rows/10.txt", std::string(kObject) + " 1\n");
-  const auto frames = ReadApFrames(folder_.path() / "labels", folder_.path() / "rows", {});
-  ASSERT_EQ(frames.size(), 2U);
-  EXPECT_EQ(frames[1].labels.size(), 2U);
-  EXPECT_EQ(frames[1].labels[1].frame, 1);
-  EXPECT_EQ(frames[1].detections.at(0).frame, 1);
+}  // namespace
+}  // namespace cvo::ap_files_test
+
+namespace cvo::box_metrics_test {
+namespace {
+
+// A car of 4 x 2 x 1.5 m at x, in frame 7, the first of two frames.
+ObjectBox CarAt(double x, double height_px) {
+  ObjectBox box;
+  box.frame = 7;
+  box.type = "Car";
+  box.truncation = 0.0;
+  box.occlusion = 0;
+  box.right_px = 80.0;
+  box.bottom_px = height_px;
+  box.box3d = ObjectBox::Box3d{1.5, 2.0, 4.0, {x, 1.6, 20.0}, 0.0};
+  return box;
 }
 
-TEST_F(ApFiles, TrackingFilesEndWithTheLastRowOfEither) {
-  folder_.Write("none.txt", "");
-  folder_.Write("first.txt", std::string("0 1 ") + kObject + "\n");
-  const auto frames = ReadApFrames(folder_.path() / "none.txt", folder_.path() / "first.txt", {});
-  ASSERT_EQ(frames.size(), 1U);
-  EXPECT_TRUE(frames[0].labels.empty());
-  EXPECT_EQ(frames[0].detections.size(), 1U);
-  EXPECT_EQ(ReadApFrames(folder_.path() / "first.txt", folder_.path() / "none.txt", {}).size(), 1U);
+Sequence Labelled(const std::vector<ObjectBox>& labels) {
+  Sequence sequence;
+  sequence.first_frame = 7;
+  sequence.images.resize(2);
+  sequence.labels = labels;
+  return sequence;
+}
+
+ObjectBox Scored(ObjectBox box, double score) {
+  box.score = score;
+  return box;
+}
+
+// An IoU of exactly 1/4 is not enough: at an offset of 2.4 m, boxes of 4 m share 1.6 of 6.4 m.
+TEST(BoxMetrics, CountBoxesThatOverlapByMoreThanAQuarter) {
+  const Sequence sequence = Labelled({CarAt(0.0, 50.0)});
+  const auto metrics = BoxMetrics(sequence, {Scored(CarAt(2.3, 50.0), 0.4)});
+  ASSERT_EQ(metrics.size(), 6U);
+  EXPECT_EQ(metrics[0].name, "box_ap_bv_easy");
+  EXPECT_EQ(metrics[4].name, "box_ap_3d_moderate");
+  for (const Metric& metric : metrics) {
+    EXPECT_DOUBLE_EQ(metric.value, 1.0 / 11.0) << metric.name;  // the artefact of 11-point AP
+    EXPECT_EQ(metric.n, 1);
+    EXPECT_EQ(metric.contract.subject, reports::Subject::kCars);
+  }
+  for (const Metric& metric : BoxMetrics(sequence, {Scored(CarAt(2.5, 50.0), 0.4)})) {
+    EXPECT_EQ(metric.value, 0.0) << metric.name;
+  }
+}
+
+TEST(BoxMetrics, AreAbsentWithoutLabelsOfTheirLevel) {
+  const auto metrics = BoxMetrics(Labelled({CarAt(0.0, 30.0)}), {});  // too small to be easy
+  ASSERT_EQ(metrics.size(), 4U);
+  EXPECT_EQ(metrics[0].name, "box_ap_bv_moderate");
+  EXPECT_EQ(metrics[0].value, 0.0);
+  ObjectBox van = CarAt(0.0, 50.0);
+  van.type = "Van";
+  EXPECT_TRUE(BoxMetrics(Labelled({van}), {Scored(CarAt(0.0, 50.0), 1.0)}).empty());
 }
 
 }  // namespace
-}  // namespace cvo::ap_files_test
+}  // namespace cvo::box_metrics_test
