@@ -144,8 +144,10 @@ class SvgWriter {
       if (!rule.vertical) Line(panel_.left, at, panel_.right, at);
       out_ += "</g>\n";
       if (!rule.text.empty()) {
-        Put(rule.vertical ? at : panel_.right, (rule.vertical ? panel_.top : at) - 0.4 * em_,
-            rule.text, rule.vertical ? " text-anchor=\"middle\"" : " text-anchor=\"end\"");
+        // Above the line, or as near to it as fits.
+        const double half = 0.5 * TextWidth(rule.text, em_);
+        const double x = rule.vertical ? std::min(at, panel_.right - half) : panel_.right - half;
+        Put(x, (rule.vertical ? panel_.top : at) - 0.4 * em_, rule.text, " text-anchor=\"middle\"");
       }
     }
   }
