@@ -92,9 +92,10 @@ void AddTrack(const std::string& name, const Track& truth, const Track& estimate
       {SeriesKind::kLine, "", look, estimate.data, StrCat(name, ", ", panel.title)});
   const std::vector<Datum>& path = truth.data.empty() ? estimate.data : truth.data;
   if (path.empty()) return;
-  panel.series.push_back({SeriesKind::kPoints, "start", {0, Symbol::kCircle}, {path.front()}});
-  panel.notes.push_back(
-      {path.front().x, path.front().y, name, false, path.back().y > path.front().y});
+  Datum start = path.front();
+  start.text = name;
+  start.text_below = path.back().y > start.y;
+  panel.series.push_back({SeriesKind::kPoints, "start", {0, Symbol::kCircle}, {start}});
 }
 
 Panel PathPanel(const DrawnRun& run, const Look& look, const Extent& extent) {

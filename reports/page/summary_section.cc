@@ -10,6 +10,7 @@
 #include "reports/page/page.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/cells.h"
+#include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
 namespace {
@@ -132,19 +133,6 @@ std::string ComparedText(const PageContent& content, const Table& table) {
                 splits.empty() ? "" : ".");
 }
 
-std::string JobsText(const JobCounts& jobs) {
-  std::string text = StrCat(jobs.done, " of ", Counted(jobs.planned, "run"), " ",
-                            jobs.done == 1 ? "is" : "are", " complete");
-  const auto add = [&text](std::size_t count, const char* what) {
-    if (count > 0) text += StrCat("; ", count, " ", what);
-  };
-  add(jobs.lost, "of them lost the camera");
-  add(jobs.failed, "failed");
-  add(jobs.not_run, "not run yet");
-  add(jobs.no_data, "without their sequence");
-  return text + (jobs.AllDone() && jobs.lost == 0 ? "; none failed." : ".");
-}
-
 std::string RuleText(const std::string& reference) {
   return StrCat(
       "Differences are relative to ", reference,
@@ -185,7 +173,7 @@ std::string SummarySection(const PageContent& content) {
   if (!content.table) return html + "</section>\n";
   const Table& table = *content.table;
   html += Element("p", ComparedText(content, table)) + "\n" + FactsHtml(content.variants);
-  html += "<p>" + Escaped(JobsText(table.jobs));
+  html += "<p>" + Escaped(JobsText(table.jobs)) + ".";
   if (!table.problems.empty()) html += " <a href=\"#missing\">What is missing, and why</a>.";
   html += "</p>\n";
   if (table.reference.empty()) {

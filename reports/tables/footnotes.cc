@@ -43,18 +43,6 @@ class NamesByText {
   std::vector<Named> names_;
 };
 
-void AddJobs(const Table& table, Lines& lines) {
-  const JobCounts& jobs = table.jobs;
-  std::string line = StrCat(jobs.done, " of ", jobs.planned, " runs");
-  for (const auto& [count, what] : {std::pair{jobs.lost, "of them lost"},
-                                    {jobs.failed, "failed"},
-                                    {jobs.not_run, "not run yet"},
-                                    {jobs.no_data, "without their sequence"}}) {
-    if (count > 0) line += StrCat(", ", count, " ", what);
-  }
-  lines.push_back(line);
-}
-
 // A sequence that is missing is listed once, not once per variant and seed.
 void AddProblems(const Table& table, Lines& lines) {
   Lines problems;
@@ -220,6 +208,17 @@ std::string SourceMark(std::size_t source) {
   return StrCat("[", static_cast<char>('a' + static_cast<int>(source % 26)), "]");
 }
 
+std::string JobsText(const JobCounts& jobs) {
+  std::string line = StrCat(jobs.done, " of ", jobs.planned, " runs");
+  for (const auto& [count, what] : {std::pair{jobs.lost, "of them lost"},
+                                    {jobs.failed, "failed"},
+                                    {jobs.not_run, "not run yet"},
+                                    {jobs.no_data, "without their sequence"}}) {
+    if (count > 0) line += StrCat(", ", count, " ", what);
+  }
+  return line;
+}
+
 std::string CountsText(const Counts& n) {
   Lines counts;
   if (n.bodies > 0) counts.push_back(Counted(n.bodies, "body", "bodies"));
@@ -230,8 +229,7 @@ std::string CountsText(const Counts& n) {
 }
 
 std::vector<std::string> Footnotes(const Table& table) {
-  Lines lines;
-  AddJobs(table, lines);
+  Lines lines = {JobsText(table.jobs)};
   AddProblems(table, lines);
   AddSplits(table, lines);
   lines.insert(lines.end(), table.notes.begin(), table.notes.end());

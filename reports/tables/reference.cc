@@ -6,7 +6,6 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/json/json_record.h"
-#include "reports/reference/shipped.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo::reports {
@@ -216,9 +215,7 @@ void AddReference(std::string_view json, const std::string& where, Reference& re
 
 Reference ShippedReference() {
   Reference reference;
-  for (const ReferenceFile& file : ShippedReferenceFiles()) {
-    AddReference(file.content, file.name, reference);
-  }
+  for (const auto& [name, json] : ShippedReferenceFiles()) AddReference(json, name, reference);
   return reference;
 }
 

@@ -125,7 +125,8 @@ TEST(Trajectories, AreSeenFromAboveWithOneScale) {
   const std::vector<Series> starts = SeriesNamed(chart, "start");
   EXPECT_THAT(XsOf(starts.at(1)), ElementsAre(1.0));
   EXPECT_THAT(YsOf(starts.at(1)), ElementsAre(3.0));
-  EXPECT_THAT(panel.notes, SizeIs(2)) << "camera and ball";
+  EXPECT_EQ(starts.at(0).data[0].text, "camera");
+  EXPECT_EQ(starts.at(1).data[0].text, "ball");
 }
 
 TEST(Trajectories, ADriftingEstimateDoesNotChangeTheScale) {

@@ -3,12 +3,15 @@
 // Estimates: hand-computed values, edge cases, and coverage of their intervals.
 #include "reports/statistics/estimate.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
@@ -31,18 +34,6 @@ TEST(Statistics, AverageOverSeedsThenBodiesThenScenes) {
   EXPECT_EQ(estimate->bodies, 3U);
 }
 
-TEST(Statistics, CountsAreSummedWithinAScene) {
-  const std::vector<Sample> samples = {Of("a", 1, 0, 1.0), Of("a", 2, 0, 4.0), Of("b", 1, 0, 3.0)};
-  EXPECT_DOUBLE_EQ(EstimateMean(samples, Within::kSum)->value, 4.0);
-}
-
-TEST(Statistics, FractionsAreOfAllFramesOfAScene) {
-  // 30 of 40 and 10 of 60 frames: 40 %, not the mean of 75 % and 17 %.
-  const std::vector<Sample> samples = {{"", "a", "1", "0", {30.0, 40.0}},
-                                       {"", "a", "2", "0", {10.0, 60.0}}};
-  EXPECT_DOUBLE_EQ(EstimateMean(samples, Within::kMean)->value, 0.4);
-}
-
 TEST(Statistics, EmptySamplesGiveNoEstimate) {
   EXPECT_FALSE(EstimateMean({}, Within::kMean));
   EXPECT_FALSE(EstimateMean({{"", "a", "1", "0", {0.0, 0.0}}}, Within::kMean));
@@ -51,28 +42,6 @@ TEST(Statistics, EmptySamplesGiveNoEstimate) {
 
 TEST(Statistics, TheSameSampleTwiceIsAnError) {
   EXPECT_THROW(EstimateMean({Of("a", 1, 0, 1.0), Of("a", 1, 0, 2.0)}, Within::kMean), Error);
-}
-
-std::vector<Sample> RandomRooms(std::uint64_t seed, int rooms, int bodies) {
-  Rng rng(seed, "rooms");
-  std::vector<Sample> samples;
-  for (int room = 0; room < rooms; ++room) {
-    for (int body = 0; body < bodies; ++body) {
-      const double reference = 1.0 + rng.Uniform();
-      samples.push_back(Of(std::to_string(room), body, 0, reference + rng.Normal(), reference));
-    }
-  }
-  return samples;
-}
-
-TEST(Statistics, OrderOfSamplesDoesNotMatter) {
-  std::vector<Sample> samples = RandomRooms(3, 4, 3);
-  const auto forward = EstimateDifference(samples, Within::kMean);
-  std::reverse(samples.begin(), samples.end());
-  const auto backward = EstimateDifference(samples, Within::kMean);
-  EXPECT_EQ(forward->difference, backward->difference);
-  EXPECT_EQ(forward->interval->low, backward->interval->low);
-  EXPECT_EQ(forward->interval->high, backward->interval->high);
 }
 
 // The bodies of a room share its difficulty: standard deviation 1 between rooms, 0.3 within.
@@ -86,6 +55,16 @@ std::vector<Sample> SharedRooms(std::uint64_t seed, int rooms, double mean) {
     }
   }
   return samples;
+}
+
+TEST(Statistics, OrderOfSamplesDoesNotMatter) {
+  std::vector<Sample> samples = SharedRooms(3, 4, 0.0);
+  const auto forward = EstimateDifference(samples, Within::kMean);
+  std::reverse(samples.begin(), samples.end());
+  const auto backward = EstimateDifference(samples, Within::kMean);
+  EXPECT_EQ(forward->difference, backward->difference);
+  EXPECT_EQ(forward->interval->low, backward->interval->low);
+  EXPECT_EQ(forward->interval->high, backward->interval->high);
 }
 
 // The interval over 24 rooms of 5 bodies has its nominal coverage. One over their 120 bodies would
@@ -328,6 +307,109 @@ TEST(Difference, StatesTheScenesNeededFromSixScenesOn) {
   EXPECT_EQ(estimate->scenes_for_10_percent, PairsNeeded({{0, 1, 0, 1, 0, 1}}, 0.1));
   for (Sample& pair : pairs) pair.reference = {0.0};
   EXPECT_FALSE(EstimateDifference(pairs, Within::kMean)->scenes_for_10_percent);
+}
+
+// Closed forms for one to four degrees of freedom.
+TEST(Student, TailOfFewDegrees) {
+  for (const double t : {0.0, 0.3, 1.0, 2.5, 40.0}) {
+    const double theta1 = std::atan(t);
+    EXPECT_NEAR(StudentTail(t, 1), 0.5 - theta1 / std::numbers::pi, 1e-14) << t;
+    EXPECT_NEAR(StudentTail(t, 2), 0.5 - 0.5 * t / std::sqrt(2.0 + t * t), 1e-14) << t;
+    const double theta3 = std::atan(t / std::sqrt(3.0));
+    EXPECT_NEAR(StudentTail(t, 3),
+                0.5 - (theta3 + std::sin(theta3) * std::cos(theta3)) / std::numbers::pi, 1e-14)
+        << t;
+    const double sine4 = t / std::sqrt(4.0 + t * t);
+    EXPECT_NEAR(StudentTail(t, 4), 0.5 - 0.25 * sine4 * (3.0 - sine4 * sine4), 1e-14) << t;
+  }
+}
+
+// Values of printed tables, two-sided at 5 % and at 1 %.
+TEST(Student, QuantilesMatchTables) {
+  for (const auto& [degrees, at_5, at_1] : {std::tuple(1, 12.706, 63.657),
+                                            {2, 4.303, 9.925},
+                                            {3, 3.182, 5.841},
+                                            {5, 2.571, 4.032},
+                                            {6, 2.447, 3.707},
+                                            {10, 2.228, 3.169},
+                                            {29, 2.045, 2.756},
+                                            {120, 1.980, 2.617}}) {
+    EXPECT_NEAR(StudentQuantile(0.025, degrees), at_5, 6e-4) << degrees;
+    EXPECT_NEAR(StudentQuantile(0.005, degrees), at_1, 6e-4) << degrees;
+  }
+}
+
+TEST(Student, QuantileIsTheInverseOfTheTail) {
+  for (const int degrees : {1, 2, 7, 8, 400}) {
+    for (const double tail : {1e-9, 1e-3, 0.2, 0.49}) {
+      const double t = StudentQuantile(tail, degrees);
+      EXPECT_NEAR(StudentTail(t, degrees) / tail, 1.0, 1e-6) << degrees << " " << tail;
+    }
+    EXPECT_NEAR(StudentQuantile(0.5, degrees), 0.0, 1e-12);
+  }
+}
+
+TEST(PairedTest, IsStudentsTestOverScenes) {
+  // Mean 2, standard deviation 1, n = 3: t = 2 sqrt(3) with two degrees of freedom, for which p has
+  // a closed form.
+  const double t = 2.0 * std::sqrt(3.0);
+  EXPECT_NEAR(*PairedPValue({{1.0, 2.0, 3.0}}), 1.0 - t / std::sqrt(2.0 + t * t), 1e-12);
+  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(5.0), 1e-12);
+  EXPECT_EQ(*PairedPValue({{-1.0, 1.0}}), 1.0);
+  EXPECT_EQ(*PairedPValue({{0.0, 0.0}}), 1.0);
+  EXPECT_EQ(*PairedPValue({{2.0, 2.0}}), 0.0);
+  EXPECT_FALSE(PairedPValue({{2.0}, {1.0}}));
+  EXPECT_FALSE(PairedPValue({}));
+}
+
+TEST(PairedTest, MatchesHandComputedStrata) {
+  // Two values each, with means 5 and 1 and variances 2 and 8: mean 3 with the variance
+  // (2 / 2 + 8 / 2) / 4 and two degrees of freedom.
+  const double t = 3.0 / std::sqrt(1.25);
+  const double expected = 1.0 - t / std::sqrt(2.0 + t * t);
+  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}, {-1.0, 3.0}}), expected, 1e-12);
+  EXPECT_NEAR(*PairedPValue({{-4.0, -6.0}, {1.0, -3.0}}), expected, 1e-12) << "two-sided";
+  // A stratum of one value contributes to the mean only: (5 + 1) / 2 with variance 1 / 4.
+  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}, {1.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(6.0),
+              1e-12);
+}
+
+// With the number of scenes from PairsNeeded, the difference is detected four times out of five.
+TEST(PairedTest, HasTheStatedPower) {
+  Rng rng(1, "power");
+  const auto draw = [&rng](std::size_t n, double mean) {
+    Differences differences(1);
+    for (std::size_t i = 0; i < n; ++i) differences[0].push_back(mean + rng.Normal());
+    return differences;
+  };
+  const std::size_t needed = *PairsNeeded(draw(4000, 0.0), 0.5);
+  EXPECT_NEAR(static_cast<double>(needed), 33.4, 2.5) << "of textbooks, for half a deviation";
+  int told = 0;
+  constexpr int kTrials = 500;
+  for (int trial = 0; trial < kTrials; ++trial) told += *PairedPValue(draw(needed, 0.5)) < 0.05;
+  EXPECT_NEAR(told / double{kTrials}, 0.8, 0.06);
+  EXPECT_EQ(*PairsNeeded({{1.0, 1.0}}, 0.1), 2U) << "no spread";
+  EXPECT_FALSE(PairsNeeded({{1.0}}, 0.1));
+}
+
+TEST(PairsNeeded, AccountForStrata) {
+  const double root = std::sqrt(0.5);
+  // One stratum: (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 6 * 1.5^2 and with t_4, 13.8 > 5 * 1.5^2.
+  EXPECT_EQ(PairsNeeded({{-root, root}}, 1.5), 6U);
+  // Two strata take a degree of freedom each: seven pairs leave five, and
+  // (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 7 * 1.5^2.
+  EXPECT_EQ(PairsNeeded({{-root, root}, {-root, root}}, 1.5), 7U);
+  EXPECT_EQ(PairsNeeded({{-root, root}, {7.0}}, 1.5), 7U) << "one alone has no spread";
+  EXPECT_EQ(PairsNeeded({{1.0, 1.0}, {2.0, 2.0}}, 0.1), 3U) << "no spread";
+  EXPECT_EQ(PairsNeeded({{-1.0, 1.0}}, 1e-6), 1'000'000U) << "no more than a million";
+}
+
+TEST(Holm, StepsDownAndStaysInOrder) {
+  EXPECT_THAT(HolmAdjusted({0.01, 0.04, 0.03, 0.005}),
+              testing::Pointwise(testing::DoubleNear(1e-12), {0.03, 0.06, 0.06, 0.02}));
+  EXPECT_THAT(HolmAdjusted({0.5, 0.9}), testing::ElementsAre(1.0, 1.0));
+  EXPECT_THAT(HolmAdjusted({0.25, 0.25}), testing::ElementsAre(0.5, 0.5));
+  EXPECT_TRUE(HolmAdjusted({}).empty());
 }
 
 }  // namespace
