@@ -12,7 +12,7 @@
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/reports/suite_table.h"
 #include "experiments/cli/scratch_folder.h"
-#include "experiments/jobs/engine.h"
+#include "experiments/suite/engine.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo {

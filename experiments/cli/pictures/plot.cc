@@ -17,7 +17,7 @@
 #include "experiments/cli/pictures/figures.h"
 #include "experiments/cli/pictures/plot_tracks.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/metrics/alignment.h"
+#include "experiments/metrics/trajectory.h"
 #include "reports/figures/figure_style.h"
 
 namespace cvo {

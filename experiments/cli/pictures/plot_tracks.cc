@@ -11,7 +11,7 @@
 #include "core/files/text_file.h"
 #include "core/record/run_summary.h"
 #include "experiments/datasets/sequence_parts.h"
-#include "experiments/metrics/alignment.h"
+#include "experiments/metrics/trajectory.h"
 
 namespace cvo {
 namespace {

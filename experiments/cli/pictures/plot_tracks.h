@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/trajectory.h"
 #include "reports/runs/run_detail.h"
 

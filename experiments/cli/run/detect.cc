@@ -17,7 +17,7 @@
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/sequence_flags.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/yolo/detector_model.h"
+#include "experiments/datasets/detector_model.h"
 
 namespace cvo {
 namespace {

@@ -17,14 +17,13 @@
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/cli/run/sequence_flags.h"
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/clock_offset.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/system_run.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 
 namespace cvo {
 namespace {

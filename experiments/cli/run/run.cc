@@ -25,7 +25,7 @@
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/stop_signal.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {

@@ -10,9 +10,9 @@
 #include "experiments/cli/progress.h"
 #include "experiments/cli/run/known_names.h"
 #include "experiments/cli/run/run_flags.h"
+#include "experiments/datasets/import/import_stereo.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_parts.h"
-#include "experiments/import/import_stereo.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/datasets/import/import_stereo.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/import/import_stereo.h"
 
 namespace cvo {
 

@@ -10,7 +10,7 @@
 #include "experiments/cli/output_place.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/suite/run_suite.h"
-#include "experiments/jobs/run_plan.h"
+#include "experiments/suite/run_plan.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {

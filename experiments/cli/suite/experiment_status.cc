@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // clustervo experiment status: what is done in a folder, and what a suite would do.
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,13 +17,12 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/output_place.h"
-#include "experiments/cli/progress.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/text_table.h"
 #include "experiments/cli/suite/run_suite.h"
-#include "experiments/jobs/run_plan.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan/plan_outlook.h"
+#include "experiments/suite/plan_outlook.h"
+#include "experiments/suite/run_plan.h"
 
 namespace cvo {
 namespace {
@@ -54,19 +51,6 @@ std::string FailureOf(const fs::path& file) {
     return "reason not readable in " + file.string();
   }
   return "";
-}
-
-// An earlier plan.json that cannot be read counts as none.
-PlanState FindPlanState(const Suite& suite, const PlanRequest& request, const SuiteFolder& folder) {
-  PlanState state;
-  state.built = BuildPlan(suite, request);
-  const EarlierRuns earlier = {
-      EarlierPlan(folder), [&](const PlanJob& job) { return HasFiles(folder, job); },
-      [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
-  state.outlook = PredictStates(state.built.plan, earlier);
-  state.frame_time_s = MeasuredFrameTime_s(state.built.plan, earlier,
-                                           [&](const std::string& job) { return folder.job(job); });
-  return state;
 }
 
 struct Flags {
@@ -150,27 +134,23 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
                              : " (assuming 35 frames/s, rendering 4 frames/s)\n");
 }
 
-Suite LoadSuiteOf(const Flags& flags) {
+// An earlier plan.json that cannot be read counts as none.
+PlanState PlanOf(const Flags& flags) {
+  Suite suite;
   try {
-    return flags.suite.Load();
+    suite = flags.suite.Load();
   } catch (const Error& error) {
     throw UsageError(error.what());
   }
-}
-
-PlanState PlanOf(const Flags& flags) {
-  const Suite suite = LoadSuiteOf(flags);
-  PlanRequest request = flags.suite.Request();
-  // Progress is only of interest if images have to be read, and is only shown on a terminal.
-  const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
-  std::optional<Progress> progress;
-  request.progress = [&progress, quiet](std::size_t done, std::size_t total) {
-    if (!progress) progress.emplace(total, quiet, Progress::Clock::now(), kPlanned);
-    progress->Report(done);
-  };
-  request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
-  PlanState state = FindPlanState(suite, request, {flags.suite.output});
-  progress.reset();
+  const SuiteFolder folder{flags.suite.output};
+  PlanState state;
+  state.built = PlanSuite(suite, flags.suite, flags.quiet);
+  const EarlierRuns earlier = {
+      EarlierPlan(folder), [&](const PlanJob& job) { return HasFiles(folder, job); },
+      [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
+  state.outlook = PredictStates(state.built.plan, earlier);
+  state.frame_time_s = MeasuredFrameTime_s(state.built.plan, earlier,
+                                           [&](const std::string& job) { return folder.job(job); });
   return state;
 }
 

@@ -10,7 +10,7 @@
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/text_table.h"
-#include "experiments/scene_check/check_scene.h"
+#include "experiments/datasets/scene_check/check_scene.h"
 
 namespace cvo {
 namespace {

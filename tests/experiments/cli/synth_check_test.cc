@@ -7,7 +7,7 @@
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/scene_check/rays.h"
+#include "tests/experiments/datasets/scene_check/rays.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
