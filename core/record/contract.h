@@ -281,4 +281,19 @@ std::vector<std::string> UnstatedFields(const Contract& contract, const Contract
 // Returns a field as stored in files, a string without its quotes; empty if it is not stated.
 std::string FieldText(const Contract& contract, const std::string& field);
 
+// Returns a contract in words, by topic: aggregation, pairing, delta, alignment, poses, frame,
+// truth, correction. Topics that are not stated, or "none", are omitted.
+std::vector<std::pair<std::string, std::string>> ContractTexts(const Contract& contract);
+
+// Returns the truth in words, such as "devkit" or "rendered scene; visible: at least 400 px of its
+// mask and 30 % unoccluded".
+std::string TruthText(const Contract& contract);
+
+// Returns the correction in words, such as "u_right shifted by 0.16 px"; empty if the calibration
+// is as published.
+std::string CorrectionText(const Contract& contract);
+
+// Returns delta and alignment for the titles of figures, such as "delta all, not aligned".
+std::string RelationText(const Contract& contract);
+
 }  // namespace cvo::reports

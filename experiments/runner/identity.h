@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/files/json/json.h"
-#include "core/record/build_info.h"
+#include "core/record/run_summary.h"
 #include "experiments/datasets/sequence.h"
 
 namespace cvo {

@@ -129,7 +129,7 @@ Json ClustersToJson(const RunResult& run) {
     int last = 0;
   };
   std::map<ClusterId, Life> lives;
-  ForEachClusterRow(run, [&lives](const ClusterRow& row) {
+  ForEachLiveCluster(run, [&lives](const LiveCluster& row) {
     Life& life = lives[row.id];
     if (life.frames++ == 0) life.first = row.frame.frame;
     life.last = row.frame.frame;

@@ -82,25 +82,17 @@ std::vector<double> Samples_ms(const std::vector<float>& times_s) {
 
 }  // namespace
 
-RunContext ThisProcess() {
-  RunContext context;
-  context.date = UtcNow();
-  context.host = HostName();
-  context.cpu = ProcValue("/proc/cpuinfo", "model name");
-  context.peak_memory_mb = PeakMemoryMb();
-  return context;
+reports::TimingData ThisProcess() {
+  reports::TimingData timing;
+  timing.date = UtcNow();
+  timing.host = HostName();
+  timing.cpu = ProcValue("/proc/cpuinfo", "model name");
+  timing.cpus = static_cast<int>(std::thread::hardware_concurrency());
+  timing.peak_memory_mb = PeakMemoryMb();
+  return timing;
 }
 
-void WriteTimingFile(const RunResult& run, const RunContext& context, const TextSink& sink) {
-  reports::TimingData timing;
-  timing.job = context.job;
-  timing.date = context.date;
-  timing.host = context.host;
-  timing.cpu = context.cpu;
-  timing.cpus = static_cast<int>(std::thread::hardware_concurrency());
-  timing.threads = context.threads;
-  timing.paths = context.paths;
-  timing.peak_memory_mb = context.peak_memory_mb;
+void WriteTimingFile(const RunResult& run, reports::TimingData timing, const TextSink& sink) {
   timing.wall_s = run.wall_s;
   const double count = static_cast<double>(run.frames.size());
   timing.frames_per_second = run.wall_s > 0.0 ? count / run.wall_s : 0.0;
@@ -176,8 +168,8 @@ StagedFile BeginLandmarks(const fs::path& folder) {
   return file;
 }
 
-void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunContext& context,
-                   std::optional<StagedFile> landmarks) {
+void WriteRunFiles(const fs::path& folder, const RunRecord& record,
+                   const reports::TimingData& timing, std::optional<StagedFile> landmarks) {
   const RunResult& run = record.run;
   StagedFiles files(folder);
   const bool has_landmarks = landmarks.has_value();
@@ -193,7 +185,7 @@ void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunCon
             [&](const TextSink& sink) { WriteKittiTracks(record.sequence, run, sink); });
   files.Add(kTruth, TruthFile(RecordedJob(record), record.truth));
   // The result comes last: if it is complete, so is everything else.
-  files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, context, sink); });
+  files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, timing, sink); });
   files.Add("result.json", [&](const TextSink& sink) { WriteResultFile(record, sink); });
   std::vector<std::string> stale = StaleFiles(folder, files);
   if (!has_landmarks && fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);

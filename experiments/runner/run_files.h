@@ -9,28 +9,18 @@
 
 #include "core/files/atomic_file.h"
 #include "core/files/text_file.h"
-#include "core/record/timing.h"
+#include "core/record/run_summary.h"
 #include "experiments/runner/result_file.h"
 #include "experiments/runner/run_result.h"
 
 namespace cvo {
 
-// Where and when a run was made. None of this is in a result.
-struct RunContext {
-  std::string job;
-  std::string date;  // UTC, ISO 8601
-  std::string host;
-  std::string cpu;
-  int threads = 1;
-  reports::RunPaths paths;
-  double peak_memory_mb = 0.0;  // 10^6 bytes, of the whole process
-};
+// Returns date, host, CPU, peak memory and number of CPUs of the running process, the head of its
+// timing.json.
+reports::TimingData ThisProcess();
 
-// Returns date, host, CPU and peak memory of the running process. The other fields are left empty.
-RunContext ThisProcess();
-
-// Writes timing.json: wall time per frame by stage in ms, frames per second, and the context.
-void WriteTimingFile(const RunResult& run, const RunContext& context, const TextSink& sink);
+// Writes timing.json: the head with wall time per frame by stage in ms, and frames per second.
+void WriteTimingFile(const RunResult& run, reports::TimingData timing, const TextSink& sink);
 
 // Returns the names of what a run may write to its folder: result.json, timing.json, truth.json,
 // camera.tum, camera.kitti, objects.csv, tracks.kitti, clusters/ with <id>.tum and, on request,
@@ -44,6 +34,6 @@ StagedFile BeginLandmarks(const std::filesystem::path& folder);
 // Writes these files to an existing folder: either all of them complete, or none (see StagedFiles).
 // Removes files of an earlier run that this one does not have.
 void WriteRunFiles(const std::filesystem::path& folder, const RunRecord& record,
-                   const RunContext& context, std::optional<StagedFile> landmarks = {});
+                   const reports::TimingData& timing, std::optional<StagedFile> landmarks = {});
 
 }  // namespace cvo

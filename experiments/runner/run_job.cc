@@ -90,13 +90,9 @@ Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
 std::string IdentifyJob(const RunRequest& request) {
   const std::vector<ImageHashes> images =
       request.images.empty() ? HashImages(request.sequence) : request.images;
-  return IdentifyJob(request, ContentHash(request.sequence, images));
-}
-
-std::string IdentifyJob(const RunRequest& request, const std::string& content) {
   return JobIdentity({ThisBuild().identity, std::string(request.variant.name),
-                      ResolvedOptions(request), content, DetectionsHash(request.sequence),
-                      GivenOf(request), request.seed});
+                      ResolvedOptions(request), ContentHash(request.sequence, images),
+                      DetectionsHash(request.sequence), GivenOf(request), request.seed});
 }
 
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {

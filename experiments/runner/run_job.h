@@ -19,7 +19,7 @@ namespace cvo {
 struct JobOutcome {
   RunResult run;
   RunScores scores;
-  RunContext context;
+  reports::TimingData context = {};
   std::vector<std::string> warnings = {};  // of FindImplausible, and of much memory
 };
 
@@ -30,8 +30,6 @@ Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
 // Returns the JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing
 // is decoded. Does not read images whose hashes are in the request.
 std::string IdentifyJob(const RunRequest& request);
-// The same, if the ContentHash of the sequence is known.
-std::string IdentifyJob(const RunRequest& request, const std::string& content);
 
 // Runs the job, scores it and writes its files to an existing folder (WriteRunFiles). Returns
 // nothing if the request's `stop` ended the run; no file is written then.

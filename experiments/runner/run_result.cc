@@ -13,7 +13,7 @@ namespace cvo {
 
 namespace {
 
-std::array<Eigen::Vector3d, 8> CornersInCamera(const ClusterRow& row) {
+std::array<Eigen::Vector3d, 8> CornersInCamera(const LiveCluster& row) {
   std::array<Eigen::Vector3d, 8> corners;
   for (unsigned i = 0; i < 8; ++i) {
     const Eigen::Vector3d sign((i & 1U) != 0 ? 1.0 : -1.0, (i & 2U) != 0 ? 1.0 : -1.0,
@@ -26,13 +26,13 @@ std::array<Eigen::Vector3d, 8> CornersInCamera(const ClusterRow& row) {
 
 }  // namespace
 
-RigidTransform ClusterRow::CameraFromBox() const {
+RigidTransform LiveCluster::CameraFromBox() const {
   const RigidTransform& world_from_camera =
       refined ? frame.refined_world_from_camera : frame.report.world_from_camera;
   return world_from_camera.Inverse() * Last().world_from_object * Last().box.object_from_box;
 }
 
-void ForEachClusterRow(const RunResult& run, const std::function<void(const ClusterRow&)>& take) {
+void ForEachLiveCluster(const RunResult& run, const std::function<void(const LiveCluster&)>& take) {
   std::vector<std::map<ClusterId, const ClusterPose*>> refined(run.frames.size());
   for (const ClusterTrajectory& cluster : run.clusters) {
     for (const ClusterPose& pose : cluster.poses) {
@@ -41,9 +41,9 @@ void ForEachClusterRow(const RunResult& run, const std::function<void(const Clus
   }
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const FrameRecord& frame = run.frames[i];
-    std::map<ClusterId, ClusterRow> rows;
-    const auto row = [&](ClusterId id) -> ClusterRow& {
-      return rows.try_emplace(id, ClusterRow{frame, id}).first->second;
+    std::map<ClusterId, LiveCluster> rows;
+    const auto row = [&](ClusterId id) -> LiveCluster& {
+      return rows.try_emplace(id, LiveCluster{frame, id}).first->second;
     };
     for (const ClusterReport& report : frame.report.clusters) row(report.id).causal = &report;
     for (const auto& [id, pose] : refined[i]) row(id).refined = pose;
@@ -51,7 +51,7 @@ void ForEachClusterRow(const RunResult& run, const std::function<void(const Clus
   }
 }
 
-std::optional<ImageBox> ProjectedBox(const ClusterRow& row, const StereoCamera& camera) {
+std::optional<ImageBox> ProjectedBox(const LiveCluster& row, const StereoCamera& camera) {
   const std::array<Eigen::Vector3d, 8> corners = CornersInCamera(row);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNear_m = 0.1;

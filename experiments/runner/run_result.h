@@ -70,7 +70,7 @@ inline bool IsPredicted(const FrameRecord& frame) {
 
 // A live cluster in a frame, as reported when the frame was processed and as last estimated. At
 // least one of the two is set.
-struct ClusterRow {
+struct LiveCluster {
   const FrameRecord& frame;
   ClusterId id;
   const ClusterReport* causal = nullptr;   // null: not yet confirmed when the frame was processed
@@ -81,11 +81,11 @@ struct ClusterRow {
 };
 
 // Calls `take` for all rows of a run, by frame, then by id.
-void ForEachClusterRow(const RunResult& run, const std::function<void(const ClusterRow&)>& take);
+void ForEachLiveCluster(const RunResult& run, const std::function<void(const LiveCluster&)>& take);
 
 // Returns the bounding rectangle of the part of the cluster's 3D box that is in front of the
 // camera, clipped to the image. Empty if nothing of it is visible.
-[[nodiscard]] std::optional<ImageBox> ProjectedBox(const ClusterRow& row,
+[[nodiscard]] std::optional<ImageBox> ProjectedBox(const LiveCluster& row,
                                                    const StereoCamera& camera);
 
 }  // namespace cvo

@@ -111,7 +111,7 @@ void AddPose(const ClusterReport* report, TableRow& row) {
 
 void WriteObjectTable(const Sequence& sequence, const RunResult& run, const TextSink& sink) {
   sink(kObjectTableHeader);
-  ForEachClusterRow(run, [&](const ClusterRow& cluster) {
+  ForEachLiveCluster(run, [&](const LiveCluster& cluster) {
     const ClusterReport& report = cluster.Last();
     TableRow row(',');
     row.Integer(cluster.frame.frame);
@@ -197,7 +197,7 @@ namespace {
 
 // The cluster's 3D box, upright in the camera frame: its tilt is ignored, because KITTI takes the
 // camera's y axis as the vertical.
-ObjectBox::Box3d UprightBox(const ClusterRow& cluster, double left_offset_m) {
+ObjectBox::Box3d UprightBox(const LiveCluster& cluster, double left_offset_m) {
   const RigidTransform camera_from_box = cluster.CameraFromBox();
   const Eigen::Vector3d forward = camera_from_box.rotation() * Eigen::Vector3d::UnitX();
   const Eigen::Vector3d& size_m = cluster.Last().box.size_m;
@@ -212,7 +212,7 @@ ObjectBox::Box3d UprightBox(const ClusterRow& cluster, double left_offset_m) {
 }
 
 // The box of the associated detection, otherwise the projected 3D box; empty if out of view.
-std::optional<ImageBox> Box2d(const ClusterRow& cluster, const StereoCamera& camera) {
+std::optional<ImageBox> Box2d(const LiveCluster& cluster, const StereoCamera& camera) {
   const int detection = cluster.Last().detection;
   if (detection < 0) return ProjectedBox(cluster, camera);
   return cluster.frame.detections.at(static_cast<std::size_t>(detection)).box;
@@ -222,7 +222,7 @@ std::optional<ImageBox> Box2d(const ClusterRow& cluster, const StereoCamera& cam
 
 void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
                      const std::function<void(const ObjectBox&)>& take) {
-  ForEachClusterRow(run, [&](const ClusterRow& cluster) {
+  ForEachLiveCluster(run, [&](const LiveCluster& cluster) {
     const std::optional<ImageBox> box2d = Box2d(cluster, sequence.camera);
     if (!box2d) return;
     ObjectBox box;

@@ -121,7 +121,7 @@ ObjectEstimate ObjectEstimateOf(const RunResult& run, PoseTime time) {
     estimate.landmarks.push_back(frame.landmarks);
   }
   std::map<ClusterId, ClusterEstimate> clusters;
-  ForEachClusterRow(run, [&](const ClusterRow& row) {
+  ForEachLiveCluster(run, [&](const LiveCluster& row) {
     const ClusterReport* report = time == PoseTime::kCausal ? row.causal : &row.Last();
     if (!report) return;
     ClusterEstimate& cluster = clusters[row.id];

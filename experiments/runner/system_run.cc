@@ -27,7 +27,6 @@
 #include "experiments/runner/result_file.h"
 
 namespace cvo {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,87 +217,36 @@ SystemEstimate ReadSystem(const Sequence& sequence, const SystemFiles& files) {
 
 namespace {
 
-FrameStatus StatusOf(const std::optional<RigidTransform>& pose) {
-  return pose ? FrameStatus::kTracked : FrameStatus::kSkipped;
-}
-
-Json FramesToJson(const SystemRecord& record) {
+Json FramesToJson(const Sequence& sequence, const OptionalPoses& poses) {
   Json frames = Json::array();
-  for (std::size_t k = 0; k < record.estimate.world_from_camera.size(); ++k) {
-    const auto& pose = record.estimate.world_from_camera[k];
-    frames.push_back({{"frame", record.sequence.first_frame + static_cast<int>(k)},
-                      {"timestamp_ns", record.sequence.timestamps_ns[k]},
-                      {"status", ToString(StatusOf(pose))},
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto& pose = poses[k];
+    frames.push_back({{"frame", sequence.first_frame + static_cast<int>(k)},
+                      {"timestamp_ns", sequence.timestamps_ns[k]},
+                      {"status", ToString(pose ? FrameStatus::kTracked : FrameStatus::kSkipped)},
                       {"refined", pose ? PoseToJson(*pose) : Json(nullptr)}});
   }
   return frames;
 }
 
-Json CountsToJson(const OptionalPoses& poses) {
-  const auto missing = std::count(poses.begin(), poses.end(), std::nullopt);
-  return {{ToString(FrameStatus::kTracked), static_cast<std::int64_t>(poses.size()) - missing},
-          {ToString(FrameStatus::kSkipped), missing}};
-}
-
-Json ClustersToJson(const SystemRecord& record) {
+Json ClustersToJson(int first_frame, const std::vector<ClusterEstimate>& estimates) {
   Json clusters = Json::array();
-  for (const ClusterEstimate& cluster : record.estimate.clusters) {
-    const int first = record.sequence.first_frame;
+  for (const ClusterEstimate& cluster : estimates) {
     clusters.push_back({{"id", cluster.id},
                         {"category", cluster.category},
                         {"frames", cluster.frames.size()},
                         {"tracked", cluster.frames.size()},
-                        {"first_frame", first + cluster.frames.front().frame},
-                        {"last_frame", first + cluster.frames.back().frame}});
+                        {"first_frame", first_frame + cluster.frames.front().frame},
+                        {"last_frame", first_frame + cluster.frames.back().frame}});
   }
   return clusters;
 }
 
-Json FilesToJson(const SystemRecord& record) {
-  Json files = {{"name", record.system}, {"camera", record.hashes.camera}};
-  files["objects"] = record.hashes.objects.empty() ? Json(nullptr) : Json(record.hashes.objects);
-  files["object_frames"] = record.object_frames;
-  files["object_frames_left_out"] = record.object_frames_left_out;
-  return files;
-}
-
-}  // namespace
-
-std::string SystemJob(const BuildIdentity& build, const std::string& system,
-                      const SystemHashes& hashes, const std::string& content, std::uint64_t seed) {
-  return JobIdentity({build.identity,
-                      reports::SystemVariant(system),
-                      {{"camera", hashes.camera}, {"objects", hashes.objects}},
-                      content,
-                      "",
-                      GivenToJson({}, {}),
-                      seed});
-}
-
-std::string SystemResultFile(const SystemRecord& record) {
-  reports::RunSummary summary;
-  summary.job = SystemJob(record.build, record.system, record.hashes, record.content, record.seed);
-  summary.status = ToString(RunStatus::kOk);
-  summary.variant = reports::SystemVariant(record.system);
-  summary.system = FilesToJson(record);
-  summary.seed = record.seed;
-  summary.sequence =
-      SequenceOf(record.sequence, record.content, FindImplausible(record.sequence, record.truth));
-  summary.sequence.camera.right_shift_px = record.right_shift_px;
-  summary.given = GivenToJson({}, {});
-  summary.build = record.build;
-  summary.metrics = record.metrics;
-  summary.bodies = record.bodies;
-  return DumpJson(
-      ResultJson(summary, {{"clusters", ClustersToJson(record)},
-                           {"frame_counts", CountsToJson(record.estimate.world_from_camera)},
-                           {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
-                           {"frames", FramesToJson(record)}}));
-}
-
-namespace {
-
-namespace fs = std::filesystem;
+// Hashes of the bytes of the files that another system wrote.
+struct SystemHashes {
+  std::string camera;
+  std::string objects;  // empty: no file
+};
 
 // Hashes a file, or the names and bytes of the trajectories in a folder.
 std::string HashObjects(const fs::path& objects) {
@@ -320,14 +268,25 @@ SystemHashes HashesOf(const SystemFiles& files) {
   return {Sha256Hex(ReadFileBytes(files.camera)), HashObjects(files.objects)};
 }
 
-void Score(const SystemRequest& request, const ObjectEstimate& estimate, const ObjectTruth* truth,
-           SystemOutcome& outcome) {
+// The whole build is part of the identity: the readers of the ground truth and the geometry needed
+// for scoring are among the estimator's sources.
+std::string SystemJob(const SystemRequest& request, const SystemHashes& hashes) {
+  return JobIdentity({ThisBuild().identity,
+                      reports::SystemVariant(request.files.name),
+                      {{"camera", hashes.camera}, {"objects", hashes.objects}},
+                      request.content,
+                      "",
+                      GivenToJson({}, {}),
+                      request.seed});
+}
+
+void Score(const SystemRequest& request, const ObjectTruth* truth, SystemOutcome& outcome) {
   const Sequence& sequence = request.sequence;
   outcome.metrics =
-      EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
+      EvaluateCamera(sequence.groundtruth_world_from_camera, outcome.objects.world_from_camera,
                      EnumOf<reports::TruthSource>(sequence.groundtruth));
   if (truth != nullptr) {
-    ObjectScores scores = ScoreObjects(*truth, estimate);
+    ObjectScores scores = ScoreObjects(*truth, outcome.objects);
     for (Metric& metric : ObjectMetrics(*truth, scores)) {
       outcome.metrics.push_back(std::move(metric));
     }
@@ -336,44 +295,55 @@ void Score(const SystemRequest& request, const ObjectEstimate& estimate, const O
   StatePoses(reports::PoseTime::kRefined, request.right_shift_px, outcome.metrics);
 }
 
-std::optional<reports::RunBodies> BodiesOf(const std::vector<BodyScore>& bodies) {
-  if (bodies.empty()) return std::nullopt;
-  return reports::RunBodies{{bodies.begin(), bodies.end()}, {}};
+// Returns the content of result.json, of kind "run" like that of an own run. Poses are the system's
+// own, null in frames without one.
+std::string ResultOf(const SystemRequest& request, const ObjectTruth* truth,
+                     const SystemOutcome& outcome) {
+  const SystemHashes hashes = HashesOf(request.files);
+  reports::RunSummary summary;
+  summary.job = SystemJob(request, hashes);
+  summary.status = ToString(RunStatus::kOk);
+  summary.variant = reports::SystemVariant(request.files.name);
+  summary.system = Json{{"name", request.files.name},
+                        {"camera", hashes.camera},
+                        {"objects", hashes.objects.empty() ? Json(nullptr) : Json(hashes.objects)},
+                        {"object_frames", outcome.object_frames},
+                        {"object_frames_left_out", outcome.object_frames_left_out}};
+  summary.seed = request.seed;
+  summary.sequence =
+      SequenceOf(request.sequence, request.content, FindImplausible(request.sequence, truth));
+  summary.sequence.camera.right_shift_px = request.right_shift_px;
+  summary.given = GivenToJson({}, {});
+  summary.build = ThisBuild();
+  summary.metrics = outcome.metrics;
+  if (!outcome.bodies.empty()) {
+    summary.bodies = reports::RunBodies{{outcome.bodies.begin(), outcome.bodies.end()}, {}};
+  }
+  const ObjectEstimate& estimate = outcome.objects;
+  const int missing = outcome.frames_without_camera;
+  const auto frames = static_cast<int>(estimate.world_from_camera.size());
+  return DumpJson(ResultJson(
+      summary, {{"clusters", ClustersToJson(request.sequence.first_frame, estimate.clusters)},
+                {"frame_counts",
+                 {{ToString(FrameStatus::kTracked), frames - missing},
+                  {ToString(FrameStatus::kSkipped), missing}}},
+                {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
+                {"frames", FramesToJson(request.sequence, estimate.world_from_camera)}}));
 }
 
 }  // namespace
 
 std::string IdentifySystem(const SystemRequest& request) {
-  return SystemJob(ThisBuild(), request.files.name, HashesOf(request.files), request.content,
-                   request.seed);
+  return SystemJob(request, HashesOf(request.files));
 }
 
 SystemOutcome ScoreSystem(const SystemRequest& request) {
-  const SystemEstimate system = ReadSystem(request.sequence, request.files);
+  SystemOutcome outcome{ReadSystem(request.sequence, request.files)};
   const std::unique_ptr<BodyTruthReader> reader =
       request.files.objects.empty() ? nullptr : ReadBodyTruth(request.sequence);
   const ObjectTruth* truth = reader ? &reader->objects() : nullptr;
-  SystemOutcome outcome;
-  Score(request, system.objects, truth, outcome);
-  const SystemHashes hashes = HashesOf(request.files);
-  outcome.job = SystemJob(ThisBuild(), request.files.name, hashes, request.content, request.seed);
-  outcome.frames = static_cast<int>(request.sequence.images.size());
-  outcome.frames_without_camera = system.frames_without_camera;
-  outcome.object_frames = system.object_frames;
-  outcome.object_frames_left_out = system.object_frames_left_out;
-  outcome.result = SystemResultFile({.sequence = request.sequence,
-                                     .build = ThisBuild(),
-                                     .system = request.files.name,
-                                     .hashes = hashes,
-                                     .content = request.content,
-                                     .right_shift_px = request.right_shift_px,
-                                     .seed = request.seed,
-                                     .metrics = outcome.metrics,
-                                     .bodies = BodiesOf(outcome.bodies),
-                                     .truth = truth,
-                                     .estimate = system.objects,
-                                     .object_frames = system.object_frames,
-                                     .object_frames_left_out = system.object_frames_left_out});
+  Score(request, truth, outcome);
+  outcome.result = ResultOf(request, truth, outcome);
   return outcome;
 }
 

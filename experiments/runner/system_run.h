@@ -43,38 +43,6 @@ struct SystemEstimate {
 // two rows of a track in a frame, a row without a 3D box, and a file without rows.
 SystemEstimate ReadSystem(const Sequence& sequence, const SystemFiles& files);
 
-// Hashes of the bytes of the files that another system wrote.
-struct SystemHashes {
-  std::string camera;
-  std::string objects;  // empty: no file
-};
-
-// Another system's trajectories on a sequence, and their scores.
-struct SystemRecord {
-  const Sequence& sequence;
-  BuildIdentity build;
-  std::string system;
-  SystemHashes hashes;
-  std::string content;          // ContentHash of the sequence
-  double right_shift_px = 0.0;  // correction applied to the system's input, not the sequence's
-  std::uint64_t seed = 0;
-  std::vector<Metric> metrics = {};
-  std::optional<reports::RunBodies> bodies = {};  // empty without ground truth or objects
-  const ObjectTruth* truth = nullptr;             // may be null
-  const ObjectEstimate& estimate;
-  int object_frames = 0;
-  int object_frames_left_out = 0;
-};
-
-// Identity of the job of another system. The whole build is part of it: the readers of the ground
-// truth and the geometry needed for scoring are among the estimator's sources.
-std::string SystemJob(const BuildIdentity& build, const std::string& system,
-                      const SystemHashes& hashes, const std::string& content, std::uint64_t seed);
-
-// Returns the content of result.json, of kind "run" like that of an own run. Poses are the system's
-// own, null in frames without one. Throws Error naming a field that is not finite.
-std::string SystemResultFile(const SystemRecord& record);
-
 struct SystemRequest {
   const Sequence& sequence;
   std::string content;  // ContentHash of the sequence
@@ -83,15 +51,10 @@ struct SystemRequest {
   double right_shift_px = 0.0;  // correction given to the system, not the sequence's own
 };
 
-struct SystemOutcome {
-  std::string job;              // IdentifySystem
-  std::string result;           // content of result.json
-  std::vector<Metric> metrics;  // camera_*, object_*; none that need landmarks
-  std::vector<BodyScore> bodies;
-  int frames = 0;
-  int frames_without_camera = 0;
-  int object_frames = 0;
-  int object_frames_left_out = 0;
+struct SystemOutcome : SystemEstimate {
+  std::string result = {};           // content of result.json
+  std::vector<Metric> metrics = {};  // camera_*, object_*; none that need landmarks
+  std::vector<BodyScore> bodies = {};
 };
 
 // Returns the identity of what ScoreSystem would do, from the bytes of the files. Throws Error for
@@ -99,7 +62,8 @@ struct SystemOutcome {
 std::string IdentifySystem(const SystemRequest& request);
 
 // Scores the files against the sequence's ground truth in the same way as runs. Bodies are matched
-// by nearness, as the contract of each metric states. Throws Error as ReadSystem does.
+// by nearness, as the contract of each metric states. Throws Error as ReadSystem does, and naming a
+// field that is not finite.
 SystemOutcome ScoreSystem(const SystemRequest& request);
 
 // Does the same and writes result.json to an existing folder.

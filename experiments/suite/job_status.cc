@@ -16,8 +16,8 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
-#include "core/record/plan_file.h"
 #include "core/record/run_summary.h"
+#include "core/record/suite_runs.h"
 #include "experiments/runner/run_result.h"
 #include "experiments/suite/collection.h"
 
@@ -65,14 +65,7 @@ constexpr std::string_view kErrorPrefix = "clustervo: error: ";
 // Throws Error if tables and the gate would reject the result, or if it is that of another job.
 void CheckResult(const fs::path& file, const PlanJob& job) {
   const reports::RunSummary run = reports::ReadRun(file, {});
-  reports::CheckRunOf(
-      {.job = job.job,
-       .variant = job.system.empty() ? job.variant : reports::SystemVariant(job.system),
-       .seed = job.seed,
-       .content = job.content,
-       .oracle = job.oracle,
-       .parameters = job.parameters},
-      run);
+  reports::CheckRunOf(job, run);
   if (run.status == ToString(RunStatus::kFailed)) {
     throw Error(StrCat(file.string(), ": the estimator gave up: ", run.message));
   }

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/record/timing.h"
+#include "core/record/run_summary.h"
 
 namespace cvo {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
-#include "core/record/contract_text.h"
+#include "core/record/contract.h"
 #include "core/record/metric_catalogue.h"
 
 namespace cvo::reports {

@@ -58,7 +58,7 @@ struct Choice {
 std::vector<Choice> ChooseRuns(const SuiteData& data) {
   std::vector<Choice> choices;
   for (const SuiteRun& run : data.runs) {
-    if (!run.run || run.planned.system) continue;
+    if (!run.run || !run.planned.system.empty()) continue;
     const DrawnRun drawn = Describe(data.plan, run.planned);
     const Choice fresh{
         {drawn.sequence, drawn.variant}, OptionsAtDefault(run.planned, data.table), &run, drawn};

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/record/calibration_state.h"
-#include "core/record/timing.h"
+#include "core/record/run_summary.h"
 #include "core/record/truth.h"
 
 namespace cvo::reports {

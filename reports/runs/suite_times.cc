@@ -8,8 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
+#include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "core/record/timing.h"
 #include "reports/runs/run_detail.h"
 
 namespace cvo::reports {
@@ -87,7 +87,7 @@ SuiteTimes ReadSuiteTimes(const fs::path& folder) {
   std::vector<TimedRuns> groups;
   for (const PlannedRun& run : plan.runs) {
     const fs::path run_folder = folder / "jobs" / run.job;
-    if (run.job.empty() || run.system || !fs::exists(run_folder / "timing.json")) continue;
+    if (run.job.empty() || !run.system.empty() || !fs::exists(run_folder / "timing.json")) continue;
     const auto timing = ReadRecord<TimingData>(run_folder / "timing.json");
     AddOnce(StrCat(timing.cpu, ", ", Counted(static_cast<std::size_t>(timing.threads), "thread")),
             times.machines);

@@ -67,7 +67,7 @@ std::optional<Column> MakeColumn(const std::string& name, const std::vector<Suit
   std::vector<Meaning> kinds;  // the first run, then the first of each other type of dataset
   for (const SuiteRun& run : runs) {
     const MetricValue* metric = run.run ? FindMetric(*run.run, name) : nullptr;
-    if (metric == nullptr || run.planned.system != systems) continue;
+    if (metric == nullptr || run.planned.system.empty() == systems) continue;
     const Meaning meaning{&*run.run, metric, SharedContract(*run.run, *metric)};
     if (!kinds.empty()) CheckSame(kinds[0], meaning);
     const auto same_type = std::find_if(kinds.begin(), kinds.end(), [&](const Meaning& kind) {
@@ -213,7 +213,7 @@ bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& c
   for (const RowRuns* runs : {&row, &reference}) {
     for (const SuiteRun* run : runs->runs) {
       if (run->run) shifts_px.insert(run->run->sequence.camera.right_shift_px);
-      systems = systems || run->planned.system;
+      systems = systems || !run->planned.system.empty();
     }
   }
   return DifferingMeaning(row, column).empty() && DifferingMeaning(reference, column).empty() &&

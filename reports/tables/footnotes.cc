@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/record/contract_text.h"
+#include "core/record/contract.h"
 #include "core/record/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/table_texts.h"

@@ -7,7 +7,7 @@
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
-#include "core/record/contract_text.h"
+#include "core/record/contract.h"
 #include "reports/tables/table_texts.h"
 
 namespace cvo::reports {

@@ -12,7 +12,6 @@
 #include "core/interface/options.h"
 #include "core/record/metric_catalogue.h"
 #include "core/record/run_summary.h"
-#include "core/record/timing.h"
 #include "core/record/truth.h"
 #include "experiments/datasets/calibration/kitti_calibration.h"
 #include "experiments/datasets/calibration/rig_file.h"

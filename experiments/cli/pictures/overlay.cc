@@ -57,7 +57,7 @@ std::string FolderOf(const reports::SuitePlan& plan, const OverlayFlags& flags,
   const std::string what = StrCat(flags.sequence, ", ", variant);
   for (const reports::PlannedRun& run : plan.runs) {
     if (reports::KeyOf(run, "sequence") != flags.sequence) continue;
-    if (run.system || reports::KeyOf(run, "variant") != variant) continue;
+    if (!run.system.empty() || reports::KeyOf(run, "variant") != variant) continue;
     if (flags.seed && run.seed != *flags.seed) continue;
     if (run.job.empty()) ThrowError(what, run.missing, "a sequence that exists");
     const fs::path folder = fs::path(flags.suite) / "jobs" / run.job;

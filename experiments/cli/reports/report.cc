@@ -16,7 +16,7 @@
 #include "core/files/json/json_record.h"
 #include "core/files/text/closest_names.h"
 #include "core/record/metric_catalogue.h"
-#include "core/record/plan_file.h"
+#include "core/record/suite_runs.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/output_place.h"

@@ -153,8 +153,9 @@ void RefuseRunFolder(const fs::path& folder) {
 
 void PrintOutcome(const Sequence& sequence, const TrajectoryFlags& flags,
                   const SystemOutcome& outcome) {
-  std::cout << sequence.name << ": poses of " << outcome.frames - outcome.frames_without_camera
-            << " of " << outcome.frames << " frames";
+  const auto frames = static_cast<int>(sequence.images.size());
+  std::cout << sequence.name << ": poses of " << frames - outcome.frames_without_camera << " of "
+            << frames << " frames";
   if (!flags.objects.empty()) {
     std::cout << ", objects in " << outcome.object_frames << " object-frames";
     if (outcome.object_frames_left_out > 0) {

@@ -8,8 +8,8 @@
 #include "core/base/lists.h"
 #include "core/files/json/json_record.h"
 #include "core/files/text/number.h"
+#include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "core/record/timing.h"
 #include "experiments/cli/output_file.h"
 #include "experiments/cli/output_place.h"
 #include "experiments/cli/pictures/overlay.h"
@@ -39,7 +39,7 @@ struct Speed {
 void AddSpeeds(const fs::path& folder, std::map<std::string, Speed>& speeds) {
   for (const reports::PlannedRun& run : reports::ReadPlan(folder / "plan.json").runs) {
     const fs::path file = folder / "jobs" / run.job / "timing.json";
-    if (run.job.empty() || run.system || !fs::exists(file)) continue;
+    if (run.job.empty() || !run.system.empty() || !fs::exists(file)) continue;
     const auto timing = ReadRecord<reports::TimingData>(file);
     Speed& speed = speeds[run.variant];
     speed.frames_per_s.push_back(timing.frames_per_second);

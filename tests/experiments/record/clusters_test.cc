@@ -87,8 +87,8 @@ class Clusters : public testing::Test {
   }
   std::optional<ImageBox> Box() const {
     std::optional<ImageBox> box;
-    ForEachClusterRow(Run(),
-                      [&](const ClusterRow& row) { box = ProjectedBox(row, sequence_.camera); });
+    ForEachLiveCluster(Run(),
+                       [&](const LiveCluster& row) { box = ProjectedBox(row, sequence_.camera); });
     return box;
   }
   std::string ObjectTable() const { return test::Collected(WriteObjectTable, sequence_, Run()); }

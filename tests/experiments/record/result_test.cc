@@ -232,7 +232,7 @@ TEST_F(Result, MetricsCarryTheirContract) {
 
 TEST_F(Result, TimingHasQuantilesAndContext) {
   run_.frames = frames_;
-  RunContext context = ThisProcess();
+  reports::TimingData context = ThisProcess();
   context.job = "job";
   context.threads = 2;
   const Json json = ParseJson(test::Collected(WriteTimingFile, run_, context), "timing");

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/record/metric_catalogue.h"
-#include "core/record/timing.h"
+#include "core/record/run_summary.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/build_plan.h"
