@@ -3,14 +3,16 @@
 #include "experiments/cli/command.h"
 
 #include <algorithm>
+#include <charconv>
+#include <filesystem>
 #include <optional>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "experiments/cli/output_file.h"
 #include "experiments/record/build_identity.h"
 
 namespace cvo {
@@ -54,6 +56,35 @@ std::string VersionText() {
                 build.commit, "\ncompiler   ", build.compiler, ", ", build.build_type, ", ",
                 build.flags, "\nlibraries  OpenCV ", build.libraries.opencv, ", Eigen ",
                 build.libraries.eigen, "\nCPU level  ", build.cpu_level);
+}
+
+void CheckNoFolder(const char* flag, const std::string& file) {
+  if (!std::filesystem::is_directory(file)) return;
+  throw UsageError(StrCat(flag, ": found the folder ", file, ", expected a file"));
+}
+
+void AddQuiet(CLI::App& app, bool& quiet) {
+  app.add_flag("-q,--quiet", quiet, "do not print progress to stderr");
+}
+
+int DefaultThreads() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+void AddThreads(CLI::App& app, int& threads) {
+  threads = DefaultThreads();
+  app.add_option(
+         "--threads", threads,
+         "total number of threads, which does not affect the results; default: number of CPUs")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+}
+
+std::uint64_t ParseSeed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw CLI::ValidationError("--seed", "found '" + text + "', expected an integer in [0, 2^64)");
+  }
+  return seed;
 }
 
 }  // namespace cvo

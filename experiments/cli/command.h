@@ -3,11 +3,21 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
+
 namespace cvo {
+
+// A request that is impossible whatever the files contain: exit code 2, as for wrong flags.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
 
 // A subcommand. Its flags are parsed into variables that `run` captures; `run` returns the exit
 // code.
@@ -56,13 +66,32 @@ std::string VersionText();
 // A subcommand of `clustervo eval`, of its own file.
 Command AddEvalBoxesCommand(CLI::App& eval);
 
-// The subcommands of `clustervo synth`.
-Command AddSynthRenderCommand(CLI::App& synth);
-Command AddSynthPreviewCommand(CLI::App& synth);
-
 // The subcommands of `clustervo experiment`.
 Command AddExperimentTableCommand(CLI::App& experiment);
 Command AddExperimentCompareCommand(CLI::App& experiment);
-Command AddExperimentStatusCommand(CLI::App& experiment);
+
+// Throws UsageError if a folder was given to a flag that takes a file.
+void CheckNoFolder(const char* flag, const std::string& file);
+
+// Add -q, and --threads with the number of CPUs as its default. Every long command has them.
+void AddQuiet(CLI::App& app, bool& quiet);
+void AddThreads(CLI::App& app, int& threads);
+// The number of CPUs.
+int DefaultThreads();
+
+// Parses the value of --seed exactly: the flag parser itself would wrap, saturate or read octal.
+std::uint64_t ParseSeed(const std::string& text);
+
+// Returns load(). If `name` is not a file, an Error thrown by load() is wrong usage: UsageError.
+template <typename Load>
+auto LoadNamed(const std::string& name, const Load& load) {
+  try {
+    return load();
+  } catch (const Error& error) {
+    std::error_code none;
+    if (std::filesystem::exists(name, none)) throw;
+    throw UsageError(error.what());
+  }
+}
 
 }  // namespace cvo

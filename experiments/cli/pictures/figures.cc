@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/pictures/figures.h"
-
 #include <algorithm>
 #include <iostream>
 
@@ -9,9 +7,8 @@
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/reports/suite_table.h"
-#include "experiments/cli/scratch_folder.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/reports/reports.h"
 #include "experiments/jobs/engine.h"
 #include "reports/tables/make_table.h"
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/pictures/overlay.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,13 +16,10 @@
 #include "core/files/text_file.h"
 #include "core/record/suite_runs.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
+#include "experiments/cli/output.h"
 #include "experiments/cli/pictures/run_images.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/run/text_table.h"
-#include "experiments/cli/scratch_folder.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/terminal.h"
+#include "experiments/cli/reports/reports.h"
 #include "experiments/datasets/sequence.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/overlay_run.h"
@@ -278,7 +273,7 @@ int OverlayWriter::WriteAll() {
       progress.Report(i + 1);
       if (!stop.Requested()) continue;
       std::cerr << "clustervo: stopped after " << i + 1 << " of " << frames_.size() << " frames\n";
-      return kStopped;
+      return kInterrupted;
     }
   }
   Finish(output.path());

@@ -6,7 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
+#include "experiments/cli/output.h"
 #include "reports/gate/check_runs.h"
 
 namespace cvo {

@@ -13,13 +13,9 @@
 #include "core/files/text/closest_names.h"
 #include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
+#include "experiments/cli/output.h"
 #include "experiments/cli/pictures/run_images.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/run/text_table.h"
-#include "experiments/cli/scratch_folder.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/terminal.h"
 #include "experiments/runner/oracle.h"
 #include "experiments/runner/run_job.h"
 #include "reports/chart/chart.h"
@@ -282,7 +278,7 @@ int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
       ThrowError("--oracles", "no detection file of the run", "it where the run read it");
     }
     const auto results = TryOracles(flags.run, *read.sequence, body.id, flags.threads, flags.quiet);
-    if (!results) return kStopped;
+    if (!results) return kInterrupted;
     std::vector<OracleResult> all = {ResultOf("as run", body)};
     all.insert(all.end(), results->begin(), results->end());
     for (std::string& line : OracleLines(all)) lines.push_back(std::move(line));

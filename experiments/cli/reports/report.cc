@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/report.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -18,11 +16,9 @@
 #include "core/record/metric_catalogue.h"
 #include "core/record/plan_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
+#include "experiments/cli/output.h"
 #include "experiments/cli/pictures/run_images.h"
-#include "experiments/cli/reports/suite_table.h"
-#include "experiments/cli/scratch_folder.h"
+#include "experiments/cli/reports/reports.h"
 #include "reports/figures/numbers.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/picture_files.h"

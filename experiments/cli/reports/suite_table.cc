@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/suite_table.h"
-
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -15,9 +13,9 @@
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/reports/reports.h"
+#include "experiments/cli/terminal.h"
 #include "reports/runs/suite_times.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/table_texts.h"

@@ -13,10 +13,9 @@
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/progress.h"
+#include "experiments/cli/output.h"
 #include "experiments/cli/run/sequence_flags.h"
-#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/terminal.h"
 #include "experiments/yolo/detector_model.h"
 
 namespace cvo {

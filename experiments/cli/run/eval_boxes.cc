@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/terminal.h"
 #include "experiments/metrics/kitti_ap/box_metrics.h"
 #include "experiments/metrics/tracking/tracking_scores.h"
 

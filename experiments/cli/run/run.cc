@@ -5,32 +5,144 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/files/json/options_json.h"
+#include "core/files/text/closest_names.h"
+#include "experiments/cache/content_hash.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/former_run.h"
-#include "experiments/cli/run/known_names.h"
+#include "experiments/cli/output.h"
 #include "experiments/cli/run/pair_check.h"
-#include "experiments/cli/run/run_flags.h"
 #include "experiments/cli/run/run_summary.h"
 #include "experiments/cli/run/sequence_flags.h"
-#include "experiments/cli/run/text_table.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/terminal.h"
+#include "experiments/record/job_identity.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/plan/inputs.h"
+#include "core/record/run_summary.h"
 #include "synth/write/render_cache.h"
+#include "variants/registry.h"
 
 namespace cvo {
 namespace {
+
+namespace fs = std::filesystem;
+
+// Flags that control how an estimator runs, independent of its input.
+struct RunFlags {
+  std::string config;
+  std::vector<std::string> set;
+  int threads = 1;
+  bool quiet = false;
+
+  void AddTo(CLI::App& app);
+  // Returns the defaults, overridden by --config and then by --set. Throws Error for an invalid
+  // option.
+  Options Resolve(const Options& defaults) const;
+};
+
+void RunFlags::AddTo(CLI::App& app) {
+  app.add_option("--set", set, "set one option (see clustervo list options); can be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--config", config,
+                 "JSON file with options as nested objects; --set takes precedence")
+      ->type_name("FILE");
+  AddThreads(app, threads);
+  AddQuiet(app, quiet);
+}
+
+Options RunFlags::Resolve(const Options& defaults) const {
+  CheckNoFolder("--config", config);
+  return ResolveOptions<Options>(config, set, defaults);
+}
+
+// Like FindVariant, but throws UsageError with the nearest names if there is no such variant.
+const VariantInfo& VariantNamed(const std::string& name) {
+  std::vector<std::string> names;
+  for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
+  const std::string meant = DidYouMean(name, names);
+  const bool known = std::find(names.begin(), names.end(), name) != names.end();
+  if (known) return FindVariant(name);
+  throw UsageError(StrCat("--variant: found ", Quoted(name), meant, ", expected ",
+                          meant.empty() ? OneOfKnown(name, names)
+                                        : "one of those that `clustervo list variants` lists"));
+}
+
+class FormerRun {
+ public:
+  explicit FormerRun(const fs::path& folder) : folder_(folder) {
+    try {
+      run_ = reports::ReadRun(folder / "result.json", {});
+    } catch (const Error& error) {
+      throw UsageError(StrCat(error.what(), "; use --force to replace it"));
+    }
+  }
+
+  const reports::RunSummary& run() const { return run_; }
+
+  [[noreturn]] void Refuse(const std::string& found, const std::string& expected) const {
+    throw UsageError(StrCat(folder_.string(), ": found a run of ", run_.sequence.name, " with ",
+                            found, ", expected ", expected, "; use --force to replace it"));
+  }
+  void ExpectSame(const std::string& what, const std::string& found,
+                  const std::string& asked) const {
+    if (found != asked) Refuse(StrCat(what, " ", found), asked);
+  }
+
+ private:
+  fs::path folder_;
+  reports::RunSummary run_;
+};
+
+void CheckOptions(const FormerRun& former, Options options) {
+  const auto found = FlatJson(former.run().options);
+  const Json json = OptionsToJson(OptionLeaves(options));
+  for (const auto& [path, value] : FlatJson(ParseJson(DumpJson(json), "options"))) {
+    const auto known = found.find(path);
+    former.ExpectSame("option " + path, known == found.end() ? "not known" : known->second, value);
+  }
+}
+
+// Throws UsageError if the folder contains the result of a run other than the requested one,
+// whichever build made it, or a landmarks.csv that the request does not ask for, because the new
+// run would replace them. Reads the images of the sequence only if nothing else distinguishes the
+// two runs.
+void CheckFormerRun(const RunRequest& request, const fs::path& folder) {
+  if (!fs::exists(folder / "result.json")) return;
+  const FormerRun former(folder);
+  const reports::RunSummary& run = former.run();
+  const Sequence& sequence = request.sequence;
+  const auto end = sequence.first_frame + static_cast<int>(sequence.images.size());
+  former.ExpectSame("sequence", run.sequence.name, sequence.name);
+  former.ExpectSame("frames", StrCat(run.sequence.first_frame, ":", run.sequence.range().last + 1),
+                    StrCat(sequence.first_frame, ":", end));
+  former.ExpectSame("variant", run.variant, std::string(request.variant.name));
+  former.ExpectSame("seed", StrCat(run.seed), StrCat(request.seed));
+  CheckOptions(former, request.options);
+  if (run.sequence.detections_hash != DetectionsHash(sequence)) {
+    former.Refuse(StrCat("other detections (", run.sequence.detections, ")"),
+                  StrCat("the given ones (", sequence.detections.size(), ")"));
+  }
+  former.ExpectSame("classes and oracles", run.given.dump(),
+                    Given(sequence, request.classes, request.oracle).dump());
+  if (!request.landmarks && fs::exists(folder / "landmarks.csv")) {
+    former.Refuse("landmarks.csv", "one without, or --landmarks");
+  }
+  const auto& hashes = request.images;
+  if (run.sequence.content == ContentHash(sequence, hashes.empty() ? HashImages(sequence) : hashes))
+    return;
+  former.Refuse("other images, calibration or ground truth", "the given ones");
+}
 
 struct Flags {
   SequenceFlags sequence;
@@ -168,7 +280,7 @@ int Run(const Flags& flags) {
   }
   if (!outcome) {
     std::cerr << "clustervo: stopped, nothing was written\n";
-    return kStopped;
+    return kInterrupted;
   }
   if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
   PrintSummary(sequence, *outcome, flags.all);

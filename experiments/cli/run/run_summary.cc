@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/base/lists.h"
-#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/terminal.h"
 
 namespace cvo {
 namespace {

@@ -1,29 +1,123 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+// The flags that select a sequence, and clustervo import.
 #include "experiments/cli/run/sequence_flags.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/json/json.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/run/run_flags.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/terminal.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/import/import_stereo.h"
+#include "synth/family/family.h"
+#include "synth/scene/description.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
-
 namespace {
+
+namespace fs = std::filesystem;
+
+bool IsFamilySeed(const std::string& name) {
+  const auto families = synth::ShippedFamilies();
+  return std::any_of(families.begin(), families.end(), [&](const auto& family) {
+    return name.starts_with(std::string(family.name) + "@");
+  });
+}
+
+// Sorted names of the folders in a folder, or of its files without their extensions.
+std::vector<std::string> NamesIn(const fs::path& folder, bool folders) {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (entry.is_directory() != folders) continue;
+    const fs::path name = entry.path().filename();
+    names.push_back((folders ? name : name.stem()).string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+[[noreturn]] void FailUsage(const std::string& where, const std::string& found,
+                            const std::string& expected) {
+  throw UsageError(StrCat(where, ": found ", found, ", expected ", expected));
+}
+
+// Throws UsageError if the folder does not exist. The message gives the command that renders it if
+// it has the name of a scene or of a seed of a family, otherwise similar names.
+void CheckSequenceFolder(const fs::path& folder) {
+  if (fs::exists(folder) || fs::exists(folder.parent_path() / "image_02")) return;
+  const std::string name = folder.filename().string();
+  std::vector<std::string> near = NamesIn(fs::absolute(folder).parent_path(), true);
+  for (const synth::ShippedScene& scene : synth::ShippedScenes()) near.emplace_back(scene.name);
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  if (std::binary_search(near.begin(), near.end(), name) || IsFamilySeed(name)) {
+    FailUsage(folder.string(), "no such folder",
+              StrCat("a sequence: `clustervo synth render ", name, " -o ", folder.string(),
+                     "` makes this one"));
+  }
+  FailUsage(folder.string(), "no such folder" + DidYouMean(name, near), "the folder of a sequence");
+}
+
+// Throws Error unless `detections` is empty, a file, a detector level of the sequence's scene,
+// "labels" (see AreFromLabels) or "none".
+void CheckDetections(const std::string& detections, const fs::path& folder) {
+  std::vector<std::string> names = NamesIn(folder / "detections", false);
+  const bool has_levels = !names.empty();
+  names.insert(names.end(), {"labels", "none"});
+  if (detections.empty() || AreFromLabels(detections) || fs::exists(detections)) return;
+  if (std::find(names.begin(), names.end(), detections) != names.end()) return;
+  const std::string levels =
+      has_levels ? "" : " (this sequence has no detector levels such as good)";
+  ThrowError("--detections", Quoted(detections) + DidYouMean(detections, names),
+             "a file, or for this sequence one of " + Joined(names, ", ") + levels);
+}
 
 Json ReadLayoutSettings(const std::string& text) {
   if (text.empty()) return Json::object();
   const Json json = text.starts_with("{") ? ParseJson(text, "option --layout") : ReadJson(text);
   if (!json.is_object()) ThrowError("option --layout", json.dump(), "a JSON object");
   return json;
+}
+
+struct ImportFlags {
+  StereoImport stereo;
+  std::string output;
+  bool quiet = false;
+};
+
+int Import(const ImportFlags& flags) {
+  CheckStereo(flags.stereo);
+  CheckApartFrom(InputsOf(flags.stereo), flags.output);
+  CheckNewSequence(flags.output, {flags.stereo.left, flags.stereo.right});
+  std::optional<Progress> progress;
+  const ImportOutcome outcome =
+      ImportStereo(flags.stereo, flags.output, [&](std::size_t done, std::size_t total) {
+        if (!progress) progress.emplace(total, flags.quiet);
+        progress->Report(done);
+      });
+  progress.reset();
+  for (const std::string& line : outcome.damaged) std::cout << "lost: " << line << '\n';
+  const StereoCamera& camera = outcome.camera;
+  std::cout << outcome.frames << " pairs of " << camera.width_px << "x" << camera.height_px
+            << " px, " << (outcome.rectified ? "rectified" : "used as they are")
+            << ", times: " << outcome.times << "\ncalibration: fx " << ReadableNumber(camera.fx)
+            << ", fy " << ReadableNumber(camera.fy) << ", cx " << ReadableNumber(camera.cx)
+            << ", cy " << ReadableNumber(camera.cy) << " px, baseline "
+            << ReadableNumber(camera.baseline_m) << " m\nwritten: " << flags.output << '\n';
+  return 0;
 }
 
 }  // namespace
@@ -165,6 +259,22 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
   request.min_score = min_score;
   request.right_shift_px = right_shift_px;
   return request;
+}
+
+Command AddImportCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "import", "Convert your own stereo images into a sequence, rectifying them if necessary");
+  const auto flags = std::make_shared<ImportFlags>();
+  AddStereo(*app, flags->stereo);
+  app->add_option("-o,--output", flags->output, "new folder, in the layout of KITTI odometry")
+      ->type_name("FOLDER")
+      ->required();
+  AddQuiet(*app, flags->quiet);
+  app->footer(
+      "run accepts the same flags and caches the sequence. Use import to inspect the sequence or "
+      "to\nuse it in a suite.\n"
+      "Example: clustervo import --left cam0 --right cam1 --calib camchain.yaml -o kitchen");
+  return {app, [flags] { return Import(*flags); }};
 }
 
 }  // namespace cvo

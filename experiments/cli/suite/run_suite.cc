@@ -16,12 +16,8 @@
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/terminal.h"
 #include "experiments/jobs/run_plan.h"
 #include "experiments/jobs/slurm/slurm_engine.h"
 #include "synth/write/render_cache.h"
@@ -197,7 +193,7 @@ class SuiteRun {
   int ReportStopped() const {
     std::cerr << "clustervo: stopped; finished jobs are kept, and running the same command again "
                  "continues\n";
-    return kStopped;
+    return kInterrupted;
   }
 
  private:

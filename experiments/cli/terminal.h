@@ -4,9 +4,32 @@
 
 #include <chrono>
 #include <cstddef>
+#include <iosfwd>
 #include <string>
+#include <vector>
 
 namespace cvo {
+
+// A table of text, with columns aligned by spaces.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+
+  // Appends a row, which must have as many cells as the header.
+  void Add(std::vector<std::string> row);
+  // Returns one line per row, the header first.
+  std::vector<std::string> Lines() const;
+  void Print(std::ostream& out) const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+// A number for display, with four significant digits.
+std::string ReadableNumber(double value);
+
+// "1 frame/s", "12.5 frames/s".
+std::string FrameRateText(double frames_per_s);
 
 // What is counted, and the unit of its rate: `per_s` converts to it from 1/s.
 struct ProgressUnit {
@@ -51,6 +74,21 @@ class Progress {
   Clock::time_point start_;
   Clock::time_point shown_;
   std::size_t shown_tenths_ = 0;
+};
+
+// Exit code of a command that was stopped by SIGINT or SIGTERM.
+inline constexpr int kInterrupted = 130;
+
+// While an instance exists, the first SIGINT and the first SIGTERM are only recorded; a second
+// signal of the same kind ends the program.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  bool Requested() const;
 };
 
 }  // namespace cvo

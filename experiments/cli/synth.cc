@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+// clustervo synth: render, preview and check synthetic scenes.
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -7,12 +9,10 @@
 #include "core/base/error.h"
 #include "core/files/images/image_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/terminal.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/scene_check/check_scene.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
 
@@ -107,7 +107,7 @@ int RunStoppable(bool quiet, const Work& work) {
     return 0;
   } catch (const synth::Stopped&) {
     progress.Note("clustervo: stopped, nothing was written");
-    return kStopped;
+    return kInterrupted;
   }
 }
 
@@ -154,9 +154,7 @@ int Preview(const SceneFlags& flags) {
   return code;
 }
 
-}  // namespace
-
-Command AddSynthRenderCommand(CLI::App& synth) {
+Command AddRenderCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand("render", "Render a scene as a KITTI odometry folder");
   const auto flags = std::make_shared<RenderFlags>();
   flags->scene.AddTo(
@@ -184,13 +182,74 @@ Command AddSynthRenderCommand(CLI::App& synth) {
   return {app, [flags] { return Render(*flags); }};
 }
 
-Command AddSynthPreviewCommand(CLI::App& synth) {
+Command AddPreviewCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand(
       "preview", "Draw a contact sheet of a scene: masks, boxes and a map of all paths");
   const auto flags = std::make_shared<SceneFlags>();
   flags->AddTo(*app, "FILE", "PNG file to write");
   app->footer("Example: clustervo synth preview indoor_1 -o sheet.png");
   return {app, [flags] { return Preview(*flags); }};
+}
+
+constexpr int kDisagreement = 1;
+
+struct SceneCheckFlags {
+  std::string folder;
+  std::string json;
+  int threads = 1;
+};
+
+std::string Limit(const SceneCheck& check) {
+  return (check.bound == Bound::kAtMost ? "<= " : ">= ") + ReadableNumber(check.limit);
+}
+
+void Print(const SceneCheckReport& report) {
+  TextTable table({"check", "figure", "unit", "limit", "", "worst"});
+  for (const SceneCheck& check : report.checks) {
+    table.Add({check.name, std::isfinite(check.figure) ? ReadableNumber(check.figure) : "-",
+               check.unit, Limit(check), check.Passed() ? "ok" : "FAILED", check.where});
+  }
+  table.Print(std::cout);
+  std::cout << '\n'
+            << report.folder << ": " << report.frames << " frames, the images of "
+            << report.image_frames << " compared: " << (report.Passed() ? "passed" : "FAILED")
+            << '\n';
+}
+
+int Check(const SceneCheckFlags& flags) {
+  if (!flags.json.empty()) CheckOutputFile(flags.json, {flags.folder});
+  const SceneCheckReport report = CheckScene(flags.folder, flags.threads);
+  Print(report);
+  if (!flags.json.empty()) {
+    WriteOutputFile(flags.json, DumpJson(SceneCheckJson(report)), {flags.folder});
+  }
+  return report.Passed() ? 0 : kDisagreement;
+}
+
+Command AddSceneCheckCommand(CLI::App& synth) {
+  CLI::App* app = synth.add_subcommand(
+      "check", "Check that a rendered sequence's images, depth, masks and poses are consistent");
+  const auto flags = std::make_shared<SceneCheckFlags>();
+  app->add_option("DIR", flags->folder, "folder of a rendered sequence")->type_name("")->required();
+  app->add_option("--json", flags->json, "also write the results to this file")->type_name("FILE");
+  AddThreads(*app, flags->threads);
+  app->footer(
+      "Only the folder's files are read. Text files and masks of all frames are checked, and "
+      "the\nimages of at most 40 frames. Exit code 1 if a value exceeds its limit.\n"
+      "Example: clustervo synth check indoor_1 --json check.json");
+  return {app, [flags] { return Check(*flags); }};
+}
+
+}  // namespace
+
+Command AddSynthCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "synth", "Render, preview and check synthetic stereo sequences with exact ground truth");
+  app->footer(
+      "Start with: clustervo synth render indoor_1 -o indoor_1, then clustervo synth check "
+      "indoor_1\n"
+      "and clustervo run indoor_1 -o results/indoor_1.");
+  return Group(*app, {AddRenderCommand(*app), AddPreviewCommand(*app), AddSceneCheckCommand(*app)});
 }
 
 }  // namespace cvo

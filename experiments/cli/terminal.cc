@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/progress.h"
+#include "experiments/cli/terminal.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
+#include <ostream>
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
@@ -24,7 +26,54 @@ std::string Duration(double seconds) {
   return StrCat(units / 60, units % 60 < 10 ? ":0" : ":", units % 60, hours ? " h" : " min");
 }
 
+// A global, because a signal handler can access nothing else.
+volatile std::sig_atomic_t stop_requested = 0;
+
+void NoteSignal(int) { stop_requested = 1; }
+
+void Handle(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
 }  // namespace
+
+void TextTable::Add(std::vector<std::string> row) {
+  Require(row.size() == rows_.front().size(), "TextTable::Add: one cell per column");
+  rows_.push_back(std::move(row));
+}
+
+std::vector<std::string> TextTable::Lines() const {
+  std::vector<std::size_t> widths(rows_.front().size(), 0);
+  for (const std::vector<std::string>& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], Width(row[i]));
+  }
+  std::vector<std::string> lines;
+  for (const std::vector<std::string>& row : rows_) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += row[i];
+      if (i + 1 < row.size()) line.append(widths[i] - Width(row[i]) + 2, ' ');
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+void TextTable::Print(std::ostream& out) const {
+  for (const std::string& line : Lines()) out << line << '\n';
+}
+
+std::string ReadableNumber(double value) { return FormatGeneral(value, 4); }
+
+std::string FrameRateText(double frames_per_s) {
+  const std::string number = ReadableNumber(frames_per_s);
+  return number + (number == "1" ? " frame/s" : " frames/s");
+}
 
 Progress::Progress(std::size_t total, bool quiet, Clock::time_point start, const ProgressUnit& unit)
     : total_(total),
@@ -74,5 +123,14 @@ void Progress::PrintLine(std::size_t done) {
   shown_tenths_ = tenths;
   std::fprintf(stderr, "%3zu %%  %s\n", 100 * done / total_, Text(done).c_str());
 }
+
+StopSignal::StopSignal() {
+  stop_requested = 0;
+  Handle(NoteSignal);
+}
+
+StopSignal::~StopSignal() { Handle(SIG_DFL); }
+
+bool StopSignal::Requested() const { return stop_requested != 0; }
 
 }  // namespace cvo
