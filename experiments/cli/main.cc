@@ -23,8 +23,7 @@
 #include "core/files/text/utf8.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output.h"
-#include "experiments/cli/run/sequence_flags.h"
+#include "experiments/cli/run/run.h"
 
 namespace cvo {
 namespace {
@@ -249,17 +248,16 @@ int Main(int argc, char** argv) {
       "sequences, scored with explicitly defined metrics.");
   program.name("clustervo");
   program.set_version_flag("--version", VersionText);
-  program.require_subcommand(1);
   program.footer(
       "Start with: clustervo info SEQUENCE, then clustervo run SEQUENCE -o OUT.\n"
       "Exit codes: 0 success, 1 bad input or failure, 2 usage error, 3 internal error, 130 "
       "interrupted.");
-  const std::vector<Command> commands = {
-      AddRunCommand(program),     AddDetectCommand(program),     AddEvalCommand(program),
-      AddImportCommand(program),  AddInfoCommand(program),       AddListCommand(program),
-      AddSynthCommand(program),   AddExperimentCommand(program), AddCheckCommand(program),
-      AddOverlayCommand(program), AddReportCommand(program),     AddPlotCommand(program),
-      AddExplainCommand(program), AddManualCommand(program)};
+  const Command chosen = Group(
+      program, {AddRunCommand(program), AddDetectCommand(program), AddEvalCommand(program),
+                AddImportCommand(program), AddInfoCommand(program), AddListCommand(program),
+                AddSynthCommand(program), AddExperimentCommand(program), AddCheckCommand(program),
+                AddOverlayCommand(program), AddReportCommand(program), AddPlotCommand(program),
+                AddExplainCommand(program)});
   try {
     CheckSubcommand(argc, argv, program);
     CheckFlags(argc, argv, program);
@@ -269,10 +267,7 @@ int Main(int argc, char** argv) {
     // --help and --version arrive as exceptions, too.
     return error.get_exit_code() == 0 ? program.exit(error) : ExplainUsage(program, error);
   }
-  for (const Command& command : commands) {
-    if (command.app->parsed()) return command.run();
-  }
-  return kUsage;
+  return chosen.run();
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/output.h"
-
+// Where commands may write: never into a sequence, an input, or the results of another command.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -12,82 +11,25 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
-#include "experiments/datasets/sequence.h"
+#include "experiments/cli/command.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path Resolved(const fs::path& path) {
-  const fs::path resolved = fs::weakly_canonical(fs::absolute(path));
-  return resolved.has_filename() ? resolved : resolved.parent_path();
-}
-
-[[noreturn]] void Refuse(const fs::path& output, const std::string& found) {
-  throw UsageError(StrCat(output.string(), ": found ", found,
-                          ", expected an output folder or file that is not also an input"));
-}
-
-bool IsSame(const fs::path& a, const fs::path& b) {
-  std::error_code none;  // set if one of them does not exist
-  return fs::equivalent(a, b, none);
-}
-
-bool IsSequence(const fs::path& folder) {
-  return !DetectSequenceType(folder).empty() || IsTrackingSet(folder);
-}
-
-// Refuses `output` if `resolved` or a folder above it is a sequence.
-void RefuseBelowSequence(const fs::path& output, const fs::path& resolved) {
-  for (fs::path folder = resolved; folder != folder.parent_path(); folder = folder.parent_path()) {
-    if (IsSequence(folder)) Refuse(output, "the sequence " + folder.string());
-  }
-}
-
-void RefuseRunsOfSuite(const fs::path& output, const fs::path& resolved) {
-  constexpr std::array kSuiteFolders = {"jobs", "failed", "logs", "slurm"};
-  std::error_code ignored;
-  for (fs::path folder = resolved; folder != folder.parent_path(); folder = folder.parent_path()) {
-    const bool own = std::find(kSuiteFolders.begin(), kSuiteFolders.end(), folder.filename()) !=
-                     kSuiteFolders.end();
-    if (own && fs::exists(folder.parent_path() / "plan.json", ignored)) {
-      Refuse(output, "the runs of a suite in " + folder.string());
-    }
-  }
-}
-
-void RefuseFolders(const fs::path& output, const std::vector<fs::path>& read) {
-  for (const fs::path& path : read) {
-    if (fs::is_directory(path) && IsSame(output, path)) Refuse(output, "an input folder");
-  }
-}
-
-void RefuseFile(const fs::path& output, const std::vector<fs::path>& read) {
-  for (const fs::path& path : read) {
-    if (!fs::is_directory(path) && IsSame(output, path)) Refuse(output, "an input file");
-  }
-}
-
-fs::path FolderOf(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
-OutputFolder OpenFolderOf(const fs::path& file, const std::vector<fs::path>& read) {
-  const fs::path resolved = Resolved(FolderOf(file));
-  RefuseBelowSequence(file, resolved);
-  RefuseRunsOfSuite(file, resolved);
-  RefuseFile(file, read);
-  return {FolderOf(file), {file.filename().string()}};
-}
-
+constexpr const char* kNoInput = "an output folder or file that is not also an input";
 constexpr const char* kOwnFolder = "a folder of its own";
 
 [[noreturn]] void Refuse(const fs::path& output, const std::string& found,
-                         const std::string& expected) {
+                         const std::string& expected = kNoInput) {
   throw UsageError(StrCat(output.string(), ": found ", found, ", expected ", expected));
+}
+
+fs::path Resolved(const fs::path& path) {
+  const fs::path resolved = fs::weakly_canonical(fs::absolute(path));
+  return resolved.has_filename() ? resolved : resolved.parent_path();
 }
 
 bool Exists(const fs::path& path) {
@@ -95,15 +37,50 @@ bool Exists(const fs::path& path) {
   return fs::exists(path, ignored);
 }
 
-bool IsIn(const fs::path& folder, const fs::path& above) {
-  const auto [folder_end, above_end] =
-      std::mismatch(folder.begin(), folder.end(), above.begin(), above.end());
-  return above_end == above.end();
+fs::path FolderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-bool IsRun(const fs::path& folder) {
-  return Exists(folder / "result.json") &&
-         (Exists(folder / "truth.json") || Exists(folder / "objects.csv"));
+// The folder, links resolved, and all folders above it.
+std::vector<fs::path> FromHereUp(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  for (fs::path at = Resolved(folder); at != at.parent_path(); at = at.parent_path()) {
+    folders.push_back(at);
+  }
+  return folders;
+}
+
+void RefuseBelowSequence(const fs::path& output, const fs::path& folder) {
+  for (const fs::path& at : FromHereUp(folder)) {
+    if (!DetectSequenceType(at).empty() || IsTrackingSet(at)) {
+      Refuse(output, "the sequence " + at.string());
+    }
+  }
+}
+
+void RefuseRunsOfSuite(const fs::path& output, const fs::path& folder) {
+  constexpr std::array kSuiteFolders = {"jobs", "failed", "logs", "slurm"};
+  for (const fs::path& at : FromHereUp(folder)) {
+    const bool own =
+        std::find(kSuiteFolders.begin(), kSuiteFolders.end(), at.filename()) != kSuiteFolders.end();
+    if (own && Exists(at.parent_path() / "plan.json")) {
+      Refuse(output, "the runs of a suite in " + at.string());
+    }
+  }
+}
+
+// Refuses a place that is a folder of `read`, or a file of `read`.
+void RefuseInput(const fs::path& place, const std::vector<fs::path>& read, bool folders) {
+  std::error_code none;  // set if one of them does not exist
+  for (const fs::path& path : read) {
+    if (fs::is_directory(path) != folders || !fs::equivalent(place, path, none)) continue;
+    Refuse(place, folders ? "an input folder" : "an input file");
+  }
+}
+
+bool IsIn(const fs::path& folder, const fs::path& above) {
+  return std::mismatch(folder.begin(), folder.end(), above.begin(), above.end()).second ==
+         above.end();
 }
 
 // Name of the suite planned in a folder. Empty if there is none, or if its plan cannot be read.
@@ -118,32 +95,33 @@ std::string SuiteIn(const fs::path& folder) try {
 
 OutputFolder OpenOutput(const fs::path& folder, const std::vector<std::string>& names,
                         const std::vector<fs::path>& read) {
-  const fs::path resolved = Resolved(folder);
-  RefuseBelowSequence(folder, resolved);
-  RefuseRunsOfSuite(folder, resolved);
-  RefuseFolders(folder, read);
+  RefuseBelowSequence(folder, folder);
+  RefuseRunsOfSuite(folder, folder);
+  RefuseInput(folder, read, true);
   for (const std::string& name : names) {
-    RefuseFile(folder / name, read);
-    if (name.ends_with('/')) RefuseBelowSequence(folder / name, Resolved(folder / name));
+    RefuseInput(folder / name, read, false);
+    if (name.ends_with('/')) RefuseBelowSequence(folder / name, folder / name);
   }
   return {folder, names};
 }
 
-void CheckOutputFile(const fs::path& file, const std::vector<fs::path>& read) {
-  (void)OpenFolderOf(file, read);
+OutputFolder CheckOutputFile(const fs::path& file, const std::vector<fs::path>& read) {
+  RefuseBelowSequence(file, FolderOf(file));
+  RefuseRunsOfSuite(file, FolderOf(file));
+  RefuseInput(file, read, false);
+  return {FolderOf(file), {file.filename().string()}};
 }
 
 void WriteOutputFile(const fs::path& file, const std::string& content,
                      const std::vector<fs::path>& read) {
-  const OutputFolder output = OpenFolderOf(file, read);
+  const OutputFolder output = CheckOutputFile(file, read);
   WriteFilesAtomically(output.path(), {{file.filename().string(), content}});
 }
 
 void CheckNewSequence(const fs::path& folder, const std::vector<fs::path>& read) {
-  const fs::path resolved = Resolved(folder);
-  RefuseBelowSequence(folder, FolderOf(resolved));
-  RefuseRunsOfSuite(folder, resolved);
-  RefuseFolders(folder, read);
+  RefuseBelowSequence(folder, FolderOf(Resolved(folder)));
+  RefuseRunsOfSuite(folder, folder);
+  RefuseInput(folder, read, true);
 }
 
 std::vector<fs::path> FoldersOf(const Sequence& sequence) {
@@ -156,11 +134,12 @@ void CheckApartFrom(const std::vector<fs::path>& inputs, const fs::path& output)
   const fs::path resolved = Resolved(output);
   for (const fs::path& input : inputs) {
     if (input.empty() || !Exists(input)) continue;
-    if (!fs::is_directory(input)) {
-      if (Resolved(fs::absolute(input).parent_path()) != resolved) continue;
+    const bool is_folder = fs::is_directory(input);
+    const fs::path folder = Resolved(is_folder ? input : fs::absolute(input).parent_path());
+    if (!is_folder && folder == resolved) {
       Refuse(output, "the folder of the input " + input.string(), kOwnFolder);
     }
-    const fs::path folder = Resolved(input);
+    if (!is_folder) continue;
     if (IsIn(resolved, folder)) Refuse(output, "the input folder " + input.string(), kOwnFolder);
     if (IsIn(folder, resolved)) {
       Refuse(output, "a folder that holds the input " + input.string(), kOwnFolder);
@@ -170,10 +149,10 @@ void CheckApartFrom(const std::vector<fs::path>& inputs, const fs::path& output)
 
 void CheckPlaceOfRun(const fs::path& output) {
   if (Exists(output / "plan.json")) Refuse(output, "the folder of a suite", kOwnFolder);
-  const fs::path resolved = Resolved(output);
-  for (fs::path folder = resolved.parent_path(); folder != folder.parent_path();
-       folder = folder.parent_path()) {
-    if (IsRun(folder)) Refuse(output, "the run in " + folder.string(), kOwnFolder);
+  for (const fs::path& at : FromHereUp(Resolved(output).parent_path())) {
+    const bool is_run =
+        Exists(at / "result.json") && (Exists(at / "truth.json") || Exists(at / "objects.csv"));
+    if (is_run) Refuse(output, "the run in " + at.string(), kOwnFolder);
   }
 }
 

@@ -9,8 +9,6 @@
 #include "core/base/error.h"
 #include "core/files/images/image_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output.h"
-#include "experiments/cli/terminal.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/scene_check/check_scene.h"
 #include "synth/family/family.h"
@@ -31,16 +29,14 @@ struct SceneFlags {
   bool quiet = false;
 
   void AddTo(CLI::App& app, const char* output_kind, const char* output_meaning) {
-    app.add_option("SCENE", scene,
-                   "a shipped scene (clustervo list scenes), a JSON file or a seed of a family, "
-                   "such as room@17")
-        ->type_name("")
+    const FlagAdder add{app};
+    add("SCENE", scene, "",
+        "a shipped scene (clustervo list scenes), a JSON file or a seed of a family, "
+        "such as room@17")
         ->required();
-    app.add_option("-o,--output", output, output_meaning)->type_name(output_kind)->required();
-    app.add_option("--frames", frames, "frames A to B-1 of the scene; default: all")
-        ->type_name("A:B");
-    app.add_option("--set", set, "set one value of the scene, such as sensor.read_noise=0")
-        ->type_name("KEY=VALUE")
+    add("-o,--output", output, output_kind, output_meaning)->required();
+    add("--frames", frames, "A:B", "frames A to B-1 of the scene; default: all");
+    add("--set", set, "KEY=VALUE", "set one value of the scene, such as sensor.read_noise=0")
         ->allow_extra_args(false);
     AddThreads(app, threads);
     AddQuiet(app, quiet);
@@ -55,35 +51,6 @@ struct SceneFlags {
   }
 };
 
-// Shows stages one after the other, each with a bar of its own.
-class RenderProgress {
- public:
-  explicit RenderProgress(bool quiet) : quiet_(quiet) {}
-
-  void Report(int done, int total, const std::string& stage) {
-    if (stage != stage_) {
-      stage_ = stage;
-      progress_.reset();
-      if (!quiet_) std::cerr << stage << '\n';
-      progress_.emplace(static_cast<std::size_t>(total), quiet_, last_);
-    }
-    progress_->Report(static_cast<std::size_t>(done));
-    last_ = Progress::Clock::now();
-  }
-  // Prints one line between the bars.
-  void Note(const std::string& line) {
-    stage_.clear();
-    progress_.reset();
-    std::cerr << line << '\n';
-  }
-
- private:
-  bool quiet_;
-  std::string stage_;
-  Progress::Clock::time_point last_ = Progress::Clock::now();  // last report, or the start
-  std::optional<Progress> progress_;
-};
-
 struct RenderFlags {
   SceneFlags scene;
   std::optional<std::uint64_t> seed;
@@ -95,10 +62,10 @@ struct RenderFlags {
 template <typename Work>
 int RunStoppable(bool quiet, const Work& work) {
   const StopSignal stop;
-  RenderProgress progress(quiet);
+  Progress progress(quiet);
   synth::WorkHooks hooks;
   hooks.progress = [&](int done, int total, const std::string& stage) {
-    progress.Report(done, total, stage);
+    progress.Report(static_cast<std::size_t>(done), static_cast<std::size_t>(total), stage);
   };
   hooks.stop = [&] { return stop.Requested(); };
   hooks.notice = [&](const std::string& line) { progress.Note(line); };
@@ -156,17 +123,14 @@ int Preview(const SceneFlags& flags) {
 
 Command AddRenderCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand("render", "Render a scene as a KITTI odometry folder");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<RenderFlags>();
   flags->scene.AddTo(
       *app, "DIR",
       "output folder; replaced if it exists and contains only files rendered by this program");
-  app->add_option_function<std::string>(
-         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
-         "seed of sensor noise and detector errors; default: the scene's")
-      ->type_name("N");
-  app->add_option("--detector", flags->detectors,
-                  "detector level: oracle, good or poor; can be repeated; default: all")
-      ->type_name("LEVEL")
+  AddSeed(*app, flags->seed, "seed of sensor noise and detector errors; default: the scene's");
+  add("--detector", flags->detectors, "LEVEL",
+      "detector level: oracle, good or poor; can be repeated; default: all")
       ->allow_extra_args(false);
   app->add_flag("--flow", flags->flow,
                 "also write optical flow: flow_0/%06d.png in KITTI's encoding");
@@ -229,9 +193,10 @@ int Check(const SceneCheckFlags& flags) {
 Command AddSceneCheckCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand(
       "check", "Check that a rendered sequence's images, depth, masks and poses are consistent");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<SceneCheckFlags>();
-  app->add_option("DIR", flags->folder, "folder of a rendered sequence")->type_name("")->required();
-  app->add_option("--json", flags->json, "also write the results to this file")->type_name("FILE");
+  add("DIR", flags->folder, "", "folder of a rendered sequence")->required();
+  add("--json", flags->json, "FILE", "also write the results to this file");
   AddThreads(*app, flags->threads);
   app->footer(
       "Only the folder's files are read. Text files and masks of all frames are checked, and "

@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// What the commands that show results offer each other and clustervo experiment run.
-
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/interface/frame.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/metrics/alignment.h"
+#include "experiments/metrics/trajectory.h"
 #include "reports/figures/suite_figures.h"
+#include "reports/overlays/overlay_run.h"
+#include "reports/runs/run_detail.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo {
@@ -43,7 +48,6 @@ struct ReportFlags {
   std::string against = {};
   int every = 0;
   bool no_images = false;
-  bool all_images = false;
 };
 
 // Writes the page of a suite's results. Returns 1 if a whole section could not be made, else 0.
@@ -89,5 +93,90 @@ struct SuiteFigureFlags {
 
 // Writes the figures of a suite, and prints their titles and why others were not drawn. Returns 0.
 int WriteFigures(const SuiteFigureFlags& flags);
+
+// The left images of a run.
+class RunImages {
+ public:
+  // `folder`: of the sequence; empty: where the run found it. Throws Error if the folder no longer
+  // exists, lacks frames of the run or has images of another size.
+  RunImages(const reports::OverlayRun& run, const std::string& folder);
+
+  // Returns the grey image of a frame, as numbered in the sequence's folder. Empty if the image
+  // cannot be decoded.
+  cv::Mat Left(int frame) const;
+
+ private:
+  Sequence sequence_;
+};
+
+// Opens the sequence of a run, in `folder` or, if that is empty, where the run found it, with the
+// detections that the run was given: those of the file that the run read, of a detector level of
+// the scene or of the labels, whichever has the hash in the result. Empty if none of them has.
+std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run);
+
+// Returns the detections of these classes, by frame. Boxes of another camera stay where they were
+// detected, since the depth by which the run moved them is not known.
+std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
+                                                 const std::vector<std::string>& classes);
+
+// Adds the detections that FindDetections finds to the run. Returns false if it finds none.
+bool AddDetections(const std::string& folder, reports::OverlayRun& run);
+
+// A trajectory file, or the camera trajectory of a run.
+struct PlotInput {
+  std::string path;
+  std::string name;                         // stem of the file's name, or variant of the run
+  std::string sequence;                     // runs only
+  Trajectory poses;                         // row i of a KITTI file is at time i s
+  bool timed = true;                        // false for a KITTI file
+  bool camera_axes = false;                 // y is known to point down: runs and KITTI files
+  Trajectory truth;                         // runs only, in the world of the run; may be empty
+  std::vector<reports::BodyDetail> bodies;  // runs only
+};
+
+// Reads a trajectory. A folder is a run; a file with commas is in EuRoC's format, one with 8
+// columns in TUM's and one with 12 in KITTI's. Throws Error naming the file, the line and what was
+// expected.
+PlotInput ReadPlotInput(const std::string& path);
+
+// Makes the names unique and the times comparable: if one of the inputs is a KITTI file, all poses
+// are matched by their position in the file, and Error is thrown if the numbers of poses differ.
+void MakeComparable(std::vector<PlotInput>& inputs);
+
+// The trajectory that others are aligned with and compared to.
+struct PlotReference {
+  std::string name;
+  Trajectory poses;
+  bool is_truth = true;  // false: it is the first trajectory
+  bool of_run = false;   // it is the truth of a run, in the world of that run
+};
+
+// Returns the truth of the first run that has one, otherwise the first of several trajectories,
+// otherwise nothing.
+std::optional<PlotReference> ReferenceAmong(const std::vector<PlotInput>& inputs);
+
+struct PlotMatching {
+  TrajectoryAlignment alignment = TrajectoryAlignment::kSe3;
+  bool z_up = false;  // of the world; otherwise y points down
+  std::int64_t tolerance_ns = 0;
+};
+
+// A trajectory as it is drawn and, if it was compared to a reference, its errors.
+struct PlotTrack {
+  std::string name;
+  Trajectory poses = {};             // aligned with the reference
+  std::size_t matched = 0;           // number of matched poses; 0: not compared
+  std::vector<double> times_s = {};  // of the matched poses
+  std::vector<double> errors_m = {};
+  std::vector<double> errors_deg = {};
+  double scale = 1.0;
+};
+
+// Aligns a trajectory with the reference and computes its errors. Throws Error if fewer than two
+// poses match.
+PlotTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
+                     const PlotMatching& matching);
+
+double Seconds(std::int64_t time_ns);
 
 }  // namespace cvo

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/run/run.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,18 +19,13 @@
 #include "core/base/lists.h"
 #include "core/files/json/options_json.h"
 #include "core/files/text/closest_names.h"
+#include "core/record/run_summary.h"
 #include "experiments/cache/content_hash.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output.h"
-#include "experiments/cli/run/pair_check.h"
-#include "experiments/cli/run/run_summary.h"
-#include "experiments/cli/run/sequence_flags.h"
-#include "experiments/cli/terminal.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/plan/inputs.h"
-#include "core/record/run_summary.h"
 #include "synth/write/render_cache.h"
 #include "variants/registry.h"
 
@@ -51,12 +48,11 @@ struct RunFlags {
 };
 
 void RunFlags::AddTo(CLI::App& app) {
-  app.add_option("--set", set, "set one option (see clustervo list options); can be repeated")
-      ->type_name("PATH=VALUE")
+  const FlagAdder add{app};
+  add("--set", set, "PATH=VALUE", "set one option (see clustervo list options); can be repeated")
       ->allow_extra_args(false);
-  app.add_option("--config", config,
-                 "JSON file with options as nested objects; --set takes precedence")
-      ->type_name("FILE");
+  add("--config", config, "FILE",
+      "JSON file with options as nested objects; --set takes precedence");
   AddThreads(app, threads);
   AddQuiet(app, quiet);
 }
@@ -78,70 +74,52 @@ const VariantInfo& VariantNamed(const std::string& name) {
                                         : "one of those that `clustervo list variants` lists"));
 }
 
-class FormerRun {
- public:
-  explicit FormerRun(const fs::path& folder) : folder_(folder) {
-    try {
-      run_ = reports::ReadRun(folder / "result.json", {});
-    } catch (const Error& error) {
-      throw UsageError(StrCat(error.what(), "; use --force to replace it"));
-    }
-  }
-
-  const reports::RunSummary& run() const { return run_; }
-
-  [[noreturn]] void Refuse(const std::string& found, const std::string& expected) const {
-    throw UsageError(StrCat(folder_.string(), ": found a run of ", run_.sequence.name, " with ",
-                            found, ", expected ", expected, "; use --force to replace it"));
-  }
-  void ExpectSame(const std::string& what, const std::string& found,
-                  const std::string& asked) const {
-    if (found != asked) Refuse(StrCat(what, " ", found), asked);
-  }
-
- private:
-  fs::path folder_;
-  reports::RunSummary run_;
-};
-
-void CheckOptions(const FormerRun& former, Options options) {
-  const auto found = FlatJson(former.run().options);
-  const Json json = OptionsToJson(OptionLeaves(options));
-  for (const auto& [path, value] : FlatJson(ParseJson(DumpJson(json), "options"))) {
-    const auto known = found.find(path);
-    former.ExpectSame("option " + path, known == found.end() ? "not known" : known->second, value);
-  }
-}
-
 // Throws UsageError if the folder contains the result of a run other than the requested one,
 // whichever build made it, or a landmarks.csv that the request does not ask for, because the new
 // run would replace them. Reads the images of the sequence only if nothing else distinguishes the
 // two runs.
 void CheckFormerRun(const RunRequest& request, const fs::path& folder) {
   if (!fs::exists(folder / "result.json")) return;
-  const FormerRun former(folder);
-  const reports::RunSummary& run = former.run();
+  reports::RunSummary run;
+  try {
+    run = reports::ReadRun(folder / "result.json", {});
+  } catch (const Error& error) {
+    throw UsageError(StrCat(error.what(), "; use --force to replace it"));
+  }
+  const auto expect = [&](bool same, const std::string& found, const std::string& expected) {
+    if (same) return;
+    throw UsageError(StrCat(folder.string(), ": found a run of ", run.sequence.name, " with ",
+                            found, ", expected ", expected, "; use --force to replace it"));
+  };
+  const auto expect_same = [&](const std::string& what, const std::string& found,
+                               const std::string& asked) {
+    expect(found == asked, StrCat(what, " ", found), asked);
+  };
   const Sequence& sequence = request.sequence;
   const auto end = sequence.first_frame + static_cast<int>(sequence.images.size());
-  former.ExpectSame("sequence", run.sequence.name, sequence.name);
-  former.ExpectSame("frames", StrCat(run.sequence.first_frame, ":", run.sequence.range().last + 1),
-                    StrCat(sequence.first_frame, ":", end));
-  former.ExpectSame("variant", run.variant, std::string(request.variant.name));
-  former.ExpectSame("seed", StrCat(run.seed), StrCat(request.seed));
-  CheckOptions(former, request.options);
-  if (run.sequence.detections_hash != DetectionsHash(sequence)) {
-    former.Refuse(StrCat("other detections (", run.sequence.detections, ")"),
-                  StrCat("the given ones (", sequence.detections.size(), ")"));
+  expect_same("sequence", run.sequence.name, sequence.name);
+  expect_same("frames", StrCat(run.sequence.first_frame, ":", run.sequence.range().last + 1),
+              StrCat(sequence.first_frame, ":", end));
+  expect_same("variant", run.variant, std::string(request.variant.name));
+  expect_same("seed", StrCat(run.seed), StrCat(request.seed));
+  Options options = request.options;
+  const auto former = FlatJson(run.options);
+  const std::string asked = DumpJson(OptionsToJson(OptionLeaves(options)));
+  for (const auto& [path, value] : FlatJson(ParseJson(asked, "options"))) {
+    const auto known = former.find(path);
+    expect_same("option " + path, known == former.end() ? "not known" : known->second, value);
   }
-  former.ExpectSame("classes and oracles", run.given.dump(),
-                    Given(sequence, request.classes, request.oracle).dump());
-  if (!request.landmarks && fs::exists(folder / "landmarks.csv")) {
-    former.Refuse("landmarks.csv", "one without, or --landmarks");
-  }
+  expect(run.sequence.detections_hash == DetectionsHash(sequence),
+         StrCat("other detections (", run.sequence.detections, ")"),
+         StrCat("the given ones (", sequence.detections.size(), ")"));
+  expect_same("classes and oracles", run.given.dump(),
+              Given(sequence, request.classes, request.oracle).dump());
+  expect(request.landmarks || !fs::exists(folder / "landmarks.csv"), "landmarks.csv",
+         "one without, or --landmarks");
   const auto& hashes = request.images;
-  if (run.sequence.content == ContentHash(sequence, hashes.empty() ? HashImages(sequence) : hashes))
-    return;
-  former.Refuse("other images, calibration or ground truth", "the given ones");
+  expect(
+      run.sequence.content == ContentHash(sequence, hashes.empty() ? HashImages(sequence) : hashes),
+      "other images, calibration or ground truth", "the given ones");
 }
 
 struct Flags {
@@ -149,7 +127,7 @@ struct Flags {
   RunFlags run;
   std::string variant = "full";
   std::string output;
-  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> seed;
   std::string classes;
   std::string oracle = "none";
   bool strict = false;
@@ -224,17 +202,10 @@ void RefuseLost(const Sequence& sequence, const RunResult& run) {
 // Opens the cache of earlier runs. Its notices report what it has to do without.
 JobCache OpenCache(const Flags& flags, std::size_t frames) {
   FileHashHooks hooks;
-  // Overwrites the progress bar, if there is one.
-  const char* start = ::isatty(STDERR_FILENO) ? "\r\033[K" : "";
-  hooks.notice = [start](const std::string& line) {
-    std::fputs(start, stderr);
-    std::cerr << "clustervo: " << line << '\n';
-  };
-  const auto progress = std::make_shared<std::optional<Progress>>();
-  hooks.hashed = [=, quiet = flags.run.quiet](std::size_t done, std::size_t total) {
-    if (!*progress) progress->emplace(frames, quiet);
-    (*progress)->Report(frames * done / total);
-    if (done == total) progress->reset();
+  hooks.notice = PrintNotice;
+  const auto progress = std::make_shared<Progress>(flags.run.quiet);
+  hooks.hashed = [progress, frames](std::size_t done, std::size_t total) {
+    progress->Report(frames * done / total, frames);
   };
   return {synth::CacheFolder(), CacheLimit(flags.cache_size), hooks};
 }
@@ -265,7 +236,7 @@ int Run(const Flags& flags) {
     RunRequest request = {.sequence = sequence,
                           .variant = variant,
                           .options = options,
-                          .seed = flags.seed,
+                          .seed = flags.seed.value_or(0),
                           .threads = flags.run.threads,
                           .classes = classes,
                           .oracle = ParseOracle(flags.oracle),
@@ -274,12 +245,12 @@ int Run(const Flags& flags) {
                           .stop = [&stop] { return stop.Requested(); }};
     if (cache) cache->Serve(request);
     if (!flags.force) CheckFormerRun(request, output.path());
-    Progress progress(sequence.images.size(), flags.run.quiet);
-    request.progress = [&progress](std::size_t done) { progress.Report(done); };
+    Progress progress(flags.run.quiet);
+    request.progress = [&](std::size_t done) { progress.Report(done, sequence.images.size()); };
     outcome = RunJob(request, output.path());
   }
   if (!outcome) {
-    std::cerr << "clustervo: stopped, nothing was written\n";
+    PrintNotice("stopped, nothing was written");
     return kInterrupted;
   }
   if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
@@ -296,17 +267,12 @@ Command AddRunCommand(CLI::App& program) {
       program.add_subcommand("run", "Estimate the camera's trajectory on a sequence and score it");
   const auto flags = std::make_shared<Flags>();
   flags->sequence.AddTo(*app);
-  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app->add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{*app};
   add("-o,--output", flags->output, "FOLDER", "output folder for the results")->required();
   add("--variant", flags->variant, "NAME", "estimator variant (see clustervo list variants)")
       ->capture_default_str();
   flags->run.AddTo(*app);
-  app->add_option_function<std::string>(
-         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
-         "random seed of the estimator; default: 0")
-      ->type_name("N");
+  AddSeed(*app, flags->seed, "random seed of the estimator; default: 0");
   add("--classes", flags->classes, "A,B,...",
       "detection classes to treat as rigid bodies, others are ignored; default: vehicles and the "
       "moving objects of the shipped scenes");

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // The flags that select a sequence, and clustervo import.
-#include "experiments/cli/run/sequence_flags.h"
-
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -15,8 +13,7 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output.h"
-#include "experiments/cli/terminal.h"
+#include "experiments/cli/run/run.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/import/import_stereo.h"
@@ -102,13 +99,8 @@ int Import(const ImportFlags& flags) {
   CheckStereo(flags.stereo);
   CheckApartFrom(InputsOf(flags.stereo), flags.output);
   CheckNewSequence(flags.output, {flags.stereo.left, flags.stereo.right});
-  std::optional<Progress> progress;
   const ImportOutcome outcome =
-      ImportStereo(flags.stereo, flags.output, [&](std::size_t done, std::size_t total) {
-        if (!progress) progress.emplace(total, flags.quiet);
-        progress->Report(done);
-      });
-  progress.reset();
+      ImportStereo(flags.stereo, flags.output, Progress(flags.quiet).Reporter());
   for (const std::string& line : outcome.damaged) std::cout << "lost: " << line << '\n';
   const StereoCamera& camera = outcome.camera;
   std::cout << outcome.frames << " pairs of " << camera.width_px << "x" << camera.height_px
@@ -123,20 +115,17 @@ int Import(const ImportFlags& flags) {
 }  // namespace
 
 void SequenceFlags::AddLayoutTo(CLI::App& app) {
-  app.add_option("--type", type,
-                 "layout of the folder: " + Joined(SequenceLayouts(), ", ", &SequenceLayout::type) +
-                     "; default: detected from its contents")
-      ->type_name("NAME");
-  app.add_option("--layout", layout,
-                 "settings of the layout, such as the names of bodies (experiments/README.md): a "
-                 "JSON object, or a file containing one")
-      ->type_name("JSON|FILE");
+  const FlagAdder add{app};
+  add("--type", type, "NAME",
+      "layout of the folder: " + Joined(SequenceLayouts(), ", ", &SequenceLayout::type) +
+          "; default: detected from its contents");
+  add("--layout", layout, "JSON|FILE",
+      "settings of the layout, such as the names of bodies (experiments/README.md): a "
+      "JSON object, or a file containing one");
 }
 
 void SequenceFlags::AddTruthTo(CLI::App& app) {
-  const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app.add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{app};
   AddLayoutTo(app);
   add("--dataset", dataset, "NAME",
       "recorded data set, kitti or other; default: kitti if the calibration is KITTI's");
@@ -150,14 +139,10 @@ void SequenceFlags::AddTruthTo(CLI::App& app) {
 }
 
 void SequenceFlags::AddTo(CLI::App& app) {
-  app.add_option(
-         "SEQUENCE", folder,
-         "sequence folder of KITTI or another supported data set (see experiments/README.md), or "
-         "<training>/<number> for KITTI tracking; alternatively give --left, --right and --calib")
-      ->type_name("");
-  const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app.add_option(flag, value, meaning)->type_name(kind);
-  };
+  add("SEQUENCE", folder, "",
+      "sequence folder of KITTI or another supported data set (see experiments/README.md), or "
+      "<training>/<number> for KITTI tracking; alternatively give --left, --right and --calib");
+  const FlagAdder add{app};
   AddTruthTo(app);
   add("--groundtruth", groundtruth, "NAME",
       "KITTI raw: devkit (OxTS packets as recorded) or interpolated (OxTS interpolated to image "
@@ -172,17 +157,15 @@ void SequenceFlags::AddTo(CLI::App& app) {
   AddRightShift(app, right_shift_px);
   AddStereo(app, stereo);
   add("--min-score", min_score, "SCORE", "minimum score of a detection; default: none")
-      ->check(CLI::Range(-1e6, 1e6).description(""))
-      ->check(FiniteProblem);
+      ->check(Within(-1e6, 1e6));
 }
 
 void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
-  app.add_option("--right-shift", right_shift_px,
-                 "known rectification error: pixels by which u_right is too large; the estimate of "
-                 "this error starts from it; default: 0")
-      ->type_name("PX")
-      ->check(CLI::Range(-100.0, 100.0).description(""))
-      ->check(FiniteProblem);
+  const FlagAdder add{app};
+  add("--right-shift", right_shift_px, "PX",
+      "known rectification error: pixels by which u_right is too large; the estimate of "
+      "this error starts from it; default: 0")
+      ->check(Within(-100.0, 100.0));
 }
 
 void CheckStereo(const StereoImport& stereo) {
@@ -211,8 +194,7 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
   add("--rate", stereo.rate_hz, "HZ",
       "frame rate, used if neither --times nor the file names give timestamps; default: the "
       "video's frame rate, otherwise 10")
-      ->check(CLI::Range(1e-3, 1e6).description(""))
-      ->check(FiniteProblem);
+      ->check(Within(1e-3, 1e6));
 }
 
 std::vector<std::filesystem::path> SequenceFlags::OwnInputs() const {
@@ -234,12 +216,7 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
       throw UsageError("give either a sequence folder or --left and --right, not both");
     }
     CheckStereo(stereo);
-    std::optional<Progress> progress;
-    request.folder =
-        ImportIntoCache(stereo, synth::CacheFolder(), [&](std::size_t done, std::size_t total) {
-          if (!progress) progress.emplace(total, quiet);
-          progress->Report(done);
-        });
+    request.folder = ImportIntoCache(stereo, synth::CacheFolder(), Progress(quiet).Reporter());
   }
   CheckDetections(detections, request.folder);
   request.type = type;
@@ -264,10 +241,10 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
 Command AddImportCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "import", "Convert your own stereo images into a sequence, rectifying them if necessary");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<ImportFlags>();
   AddStereo(*app, flags->stereo);
-  app->add_option("-o,--output", flags->output, "new folder, in the layout of KITTI odometry")
-      ->type_name("FOLDER")
+  add("-o,--output", flags->output, "FOLDER", "new folder, in the layout of KITTI odometry")
       ->required();
   AddQuiet(*app, flags->quiet);
   app->footer(

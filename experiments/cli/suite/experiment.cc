@@ -17,9 +17,7 @@
 #include "core/base/lists.h"
 #include "core/files/json/json.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output.h"
 #include "experiments/cli/suite/run_suite.h"
-#include "experiments/cli/terminal.h"
 #include "experiments/jobs/run_plan.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/plan/plan_outlook.h"
@@ -72,12 +70,6 @@ struct StatusFlags {
   int jobs = 1;
   bool quiet = false;
 };
-
-std::string Duration(double seconds) {
-  if (seconds < 90.0) return StrCat(std::ceil(seconds), " s");
-  if (seconds < 5400.0) return StrCat(std::round(seconds / 60.0), " min");
-  return StrCat(std::round(seconds / 360.0) / 10.0, " h");
-}
 
 std::size_t Count(const std::vector<PredictedState>& outlook, JobState state) {
   return static_cast<std::size_t>(
@@ -142,7 +134,7 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
     out << "nothing to compute\n";
     return;
   }
-  out << "estimated time: " << Duration(seconds / processes) << " with "
+  out << "estimated time: " << DurationText(seconds / processes) << " with "
       << Counted(static_cast<std::size_t>(processes), "process", "processes")
       << (state.frame_time_s ? " (as measured in finished jobs)\n"
                              : " (assuming 35 frames/s, rendering 4 frames/s)\n");
@@ -161,15 +153,10 @@ PlanState PlanOf(const StatusFlags& flags) {
   PlanRequest request = flags.suite.Request();
   // Progress is only of interest if images have to be read, and is only shown on a terminal.
   const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
-  std::optional<Progress> progress;
-  request.progress = [&progress, quiet](std::size_t done, std::size_t total) {
-    if (!progress) progress.emplace(total, quiet, Progress::Clock::now(), kPlanned);
-    progress->Report(done);
-  };
-  request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
-  PlanState state = FindPlanState(suite, request, {flags.suite.output});
-  progress.reset();
-  return state;
+  Progress progress(quiet, "jobs planned");
+  request.progress = progress.Reporter();
+  request.notice = PrintNotice;
+  return FindPlanState(suite, request, {flags.suite.output});
 }
 
 // Prints the plan section by section. A suite that belongs to several sections is planned only
@@ -196,7 +183,7 @@ void PrintCollection(const Collection& collection, const StatusFlags& flags) {
     if (planned[section.suite]) std::cout << "get it: " << section.data << '\n';
     std::cout << '\n';
   }
-  std::cout << "estimated time of all suites: " << Duration(seconds / flags.jobs) << '\n';
+  std::cout << "estimated time of all suites: " << DurationText(seconds / flags.jobs) << '\n';
 }
 
 int PrintPlan(const StatusFlags& flags) {
@@ -255,14 +242,14 @@ Command AddExperimentStatusCommand(CLI::App& experiment) {
       "status",
       "Show which jobs of a suite folder are done, failed or missing; of a suite, which would run, "
       "why, and for how long");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<StatusFlags>();
   flags->suite.AddTo(*app);
   app->get_option("SUITE")->description(
       "output folder of a suite; or, with -o, a suite (clustervo list suites) or a suite file");
   app->get_option("--output")->required(false);
-  app->add_option("-j,--jobs", flags->jobs, "number of processes to estimate the time for")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000).description(""))
+  add("-j,--jobs", flags->jobs, "N", "number of processes to estimate the time for")
+      ->check(Within(1, 10000))
       ->capture_default_str();
   const auto json = std::make_shared<bool>(false);
   app->add_flag("--json", *json, "of a folder: print JSON, one entry per job");
@@ -286,17 +273,13 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       "run", "Run a suite: render its scenes, then run every job that is not done");
   const auto flags = std::make_shared<SuiteRunFlags>();
   flags->suite.AddTo(*app);
-  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app->add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{*app};
   flags->engine.AddTo(*app);
   add("--time-limit", flags->limit_s, "S", "wall time limit of one job; 0: no limit")
-      ->check(CLI::Range(0.0, 1e9).description(""))
-      ->check(FiniteProblem)
+      ->check(Within(0.0, 1e9))
       ->capture_default_str();
   add("--memory-limit", flags->limit_memory_mb, "MB", "address space limit of one job; 0: no limit")
-      ->check(CLI::Range(0.0, 1e9).description(""))
-      ->check(FiniteProblem)
+      ->check(Within(0.0, 1e9))
       ->capture_default_str();
   AddQuiet(*app, flags->quiet);
   app->footer(
@@ -317,7 +300,7 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
 
 int RunOne(const SuiteFolder& folder, const std::string& id) {
   FileHashHooks hooks;
-  hooks.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
+  hooks.notice = PrintNotice;
   const JobCache cache(synth::CacheFolder(), CacheLimit(""), hooks);
   RunPlannedJob(ParsePlan(ReadJson(folder.plan()), folder.plan().string()), id, folder, cache);
   return 0;
@@ -326,11 +309,12 @@ int RunOne(const SuiteFolder& folder, const std::string& id) {
 Command AddExperimentJobCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
       "job", "Run one job of a suite folder; experiment run starts this for each job");
+  const FlagAdder add{*app};
   app->group("");  // hidden from help
   const auto folder = std::make_shared<std::string>();
   const auto id = std::make_shared<std::string>();
-  app->add_option("DIR", *folder, "the suite's folder")->type_name("")->required();
-  app->add_option("ID", *id, "id of the job in DIR/plan.json")->type_name("")->required();
+  add("DIR", *folder, "", "the suite's folder")->required();
+  add("ID", *id, "", "id of the job in DIR/plan.json")->required();
   return {app, [folder, id] { return RunOne({*folder}, *id); }};
 }
 

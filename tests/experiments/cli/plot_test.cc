@@ -20,11 +20,13 @@ namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
 using test::BodyOf;
 using test::ExpectError;
 using test::ProcessResult;
 using test::ProcessSetup;
 using test::RunProgram;
+using test::With;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
@@ -71,8 +73,7 @@ class CliPlot : public testing::Test {
   std::string out(const std::string& name = "plot.svg") const {
     return (folder_.path() / name).string();
   }
-  ProcessResult Plot(std::vector<std::string> arguments,
-                     const std::string& name = "plot.svg") const {
+  ProcessResult Plot(Arguments arguments, const std::string& name = "plot.svg") const {
     arguments.insert(arguments.begin(), "plot");
     arguments.insert(arguments.end(), {"-o", out(name)});
     return RunProgram(arguments);
@@ -98,9 +99,9 @@ double SummaryValue(const std::string& text, const std::string& heading) {
 TEST_F(CliPlot, AlignmentIsChosenAndNamed) {
   const std::string truth = Tum("truth.txt");
   const std::string turned = Tum("turned.txt", 2.0);
-  const std::vector<std::string> both = {turned, "--groundtruth", truth};
+  const Arguments both = {turned, "--groundtruth", truth};
   const auto plot_with = [&](const std::string& alignment) {
-    std::vector<std::string> arguments = both;
+    Arguments arguments = both;
     arguments.insert(arguments.end(), {"--align", alignment});
     const ProcessResult run = Plot(arguments);
     EXPECT_EQ(run.exit_code, 0) << run.err;
@@ -178,7 +179,7 @@ TEST_F(CliPlot, BadInputGivesOneLine) {
 }
 
 TEST_F(CliPlot, DrawingsAreReproducible) {
-  const std::vector<std::string> arguments = {Tum("a.txt"), Tum("b<i>.txt", 2.0)};
+  const Arguments arguments = {Tum("a.txt"), Tum("b<i>.txt", 2.0)};
   ASSERT_EQ(Plot(arguments).exit_code, 0);
   const std::string svg = test::ReadFile(out());
   EXPECT_THAT(svg, AllOf(StartsWith("<svg"), HasSubstr("Trajectories against a"),
@@ -206,9 +207,8 @@ struct HostileSuite : test::SuiteResults {
     }
   }
   fs::path out() const { return folder().path() / "figures"; }
-  ProcessResult Draw(std::vector<std::string> more, const ProcessSetup& setup = {}) const {
-    std::vector<std::string> arguments = {"plot", Written().string(), "-o", out().string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+  ProcessResult Draw(Arguments more, const ProcessSetup& setup = {}) const {
+    const Arguments arguments = With({"plot", Written().string(), "-o", out().string()}, more);
     return RunProgram(arguments, setup);
   }
 };
@@ -278,7 +278,7 @@ TEST(CliFigures, DrawsNothingForASuiteThatHasNotRun) {
 
 TEST(CliFigures, PdfIsReproducible) {
   const HostileSuite suite;
-  const std::vector<std::string> one = {"--only", "error-reduction", "--format", "pdf"};
+  const Arguments one = {"--only", "error-reduction", "--format", "pdf"};
   const ProcessResult run = suite.Draw(one);
   if (run.err.find("no rsvg-convert") != std::string::npos) GTEST_SKIP() << run.err;
   ASSERT_EQ(run.exit_code, 0) << run.err;
