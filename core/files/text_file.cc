@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/files/disk.h"
+#include "core/files/atomic_file.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 

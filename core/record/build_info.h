@@ -13,11 +13,7 @@ struct LibraryVersions {
   std::string opencv;
   std::string eigen;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Added("opencv", self.opencv);
-    archive.Added("eigen", self.eigen);
-  }
+  CVO_RECORD(CVO_ADDED(opencv, eigen));
 };
 
 // The build of the program that made a run.

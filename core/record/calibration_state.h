@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "core/files/json/json_record.h"
+
 namespace cvo::reports {
 
 // The estimated calibration error: the coefficients of StereoCamera::right_field_px and their
@@ -16,11 +18,7 @@ struct CalibrationState {
   double Mean_px() const { return right_field_px[0]; }
   double MeanSigma_px() const { return sigma_px[0]; }
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("right_field_px", self.right_field_px);
-    archive.Field("sigma_px", self.sigma_px);
-  }
+  CVO_FIELDS(right_field_px, sigma_px);
 };
 
 }  // namespace cvo::reports

@@ -58,12 +58,7 @@ struct Visibility {
   int limit = 0;  // minimum percentage, maximum occlusion, or minimum landmarks
 
   bool operator==(const Visibility&) const = default;
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("by", self.by);
-    archive.Field("least_px", self.least_px);
-    archive.Field("limit", self.limit);
-  }
+  CVO_FIELDS(by, least_px, limit);
 };
 
 enum class Alignment {
@@ -240,11 +235,7 @@ struct FrameSpan {
   int last = 0;
 
   bool operator==(const FrameSpan&) const = default;
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("first", self.first);
-    archive.Field("last", self.last);
-  }
+  CVO_FIELDS(first, last);
 };
 inline constexpr FrameSpan kFramesOfRun = {0, -1};
 
@@ -268,25 +259,9 @@ struct Contract {
   std::optional<double> limit_m;
 
   bool operator==(const Contract&) const = default;
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Optional("subject", self.subject);
-    archive.Optional("travel_m", self.travel_m);
-    archive.Optional("travel_frames", self.travel_frames);
-    archive.Optional("poses", self.poses);
-    archive.Optional("truth", self.truth);
-    archive.Optional("camera_truth", self.camera_truth);
-    archive.Optional("visible", self.visible);
-    archive.Optional("right_shift_px", self.right_shift_px);
-    archive.Optional("alignment", self.alignment);
-    archive.Optional("pairing", self.pairing);
-    archive.Optional("matching", self.matching);
-    archive.Optional("least_landmarks", self.least_landmarks);
-    archive.Optional("frames", self.frames);
-    archive.Optional("delta", self.delta);
-    archive.Optional("aggregation", self.aggregation);
-    archive.Optional("limit_m", self.limit_m);
-  }
+  CVO_RECORD(CVO_OPTIONAL(subject, travel_m, travel_frames, poses, truth, camera_truth, visible,
+                          right_shift_px, alignment, pairing, matching, least_landmarks, frames,
+                          delta, aggregation, limit_m));
 };
 
 // Returns what must be equal for numbers of different runs to form one column. Truth and correction

@@ -18,15 +18,7 @@ struct MetricValue {
   Contract contract;
   std::string left_out;  // what was left out, with counts; not part of the contract
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("value", self.value);
-    archive.Field("unit", self.unit);
-    archive.Field("n", self.n);
-    archive.Field("contract", self.contract);
-    archive.Optional("left_out", self.left_out);
-  }
+  CVO_RECORD(CVO_FIELD(name, value, unit, n, contract) CVO_OPTIONAL(left_out));
 };
 
 }  // namespace cvo::reports

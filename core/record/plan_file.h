@@ -16,12 +16,7 @@ struct PlanSuite {
   std::string about;
   std::string split;  // of its scenes
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Added("about", self.about);
-    archive.Added("split", self.split);
-  }
+  CVO_RECORD(CVO_FIELD(name) CVO_ADDED(about, split));
 };
 
 // How the results are tabulated.
@@ -33,12 +28,7 @@ struct PlanTable {
   // kRowAbove (suite_runs.h); empty: none.
   std::string reference;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("rows", self.rows);
-    archive.Field("metrics", self.metrics);
-    archive.Added("reference", self.reference);
-  }
+  CVO_RECORD(CVO_FIELD(rows, metrics) CVO_ADDED(reference));
 };
 
 // One planned run.
@@ -106,15 +96,8 @@ struct PlanFile {
   Json definition = Json::object();  // the suite file, which workers read
   std::vector<PlanJob> jobs;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("suite", self.suite);
-    archive.Field("build", self.build);
-    archive.Added("data", self.data);
-    archive.Field("table", self.table);
-    archive.Added("definition", self.definition);
-    archive.Field("jobs", self.jobs);
-  }
+  CVO_RECORD(CVO_FIELD(suite, build) CVO_ADDED(data) CVO_FIELD(table) CVO_ADDED(definition)
+                 CVO_FIELD(jobs));
 };
 
 // failed/<job>.json: why a job has no result.
@@ -126,12 +109,7 @@ struct JobFailure {
   std::string message;
   std::string log;  // end of the log
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Added("job", self.job);
-    archive.Added("message", self.message);
-    archive.Added("log", self.log);
-  }
+  CVO_RECORD(CVO_ADDED(job, message, log));
 };
 
 }  // namespace cvo::reports

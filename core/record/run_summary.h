@@ -26,15 +26,7 @@ struct SequenceInfo {
 
   FrameSpan range() const { return {first_frame, first_frame + frames - 1}; }
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("type", self.type);
-    archive.Field("pair", self.pair);
-    archive.Field("first_frame", self.first_frame);
-    archive.Field("frames", self.frames);
-    archive.Field("total_frames", self.total_frames);
-  }
+  CVO_FIELDS(name, type, pair, first_frame, frames, total_frames);
 };
 
 struct CameraInfo {
@@ -47,17 +39,8 @@ struct CameraInfo {
   double baseline_m = 0.0;
   double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Added("width_px", self.width_px);
-    archive.Added("height_px", self.height_px);
-    archive.Added("fx_px", self.fx_px);
-    archive.Added("fy_px", self.fy_px);
-    archive.Added("cx_px", self.cx_px);
-    archive.Added("cy_px", self.cy_px);
-    archive.Added("baseline_m", self.baseline_m);
-    archive.Added("right_shift_px", self.right_shift_px);
-  }
+  CVO_RECORD(CVO_ADDED(width_px, height_px, fx_px, fy_px, cx_px, cy_px, baseline_m,
+                       right_shift_px));
 };
 
 // The sequence as it was read.
@@ -73,36 +56,17 @@ struct RunSequence : SequenceInfo {
   std::vector<std::string> warnings;  // about implausible timestamps and truth
   std::optional<Json> layout;         // settings with which its folder was read
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("type", self.type);
-    archive.Added("dataset", self.dataset);
-    archive.Field("pair", self.pair);
-    archive.Added("groundtruth", self.groundtruth);
-    archive.Field("first_frame", self.first_frame);
-    archive.Field("frames", self.frames);
-    archive.Field("total_frames", self.total_frames);
-    archive.Added("labels", self.labels);
-    archive.Added("detections", self.detections);
-    archive.Added("detections_hash", self.detections_hash);
-    archive.Added("content", self.content);
-    archive.Added("camera", self.camera);
-    archive.Optional("perturbation", self.perturbation);
-    archive.Optional("warnings", self.warnings);
-    archive.Optional("layout", self.layout);
-  }
+  CVO_RECORD(CVO_FIELD(name, type) CVO_ADDED(dataset) CVO_FIELD(pair) CVO_ADDED(groundtruth)
+                 CVO_FIELD(first_frame, frames, total_frames)
+                     CVO_ADDED(labels, detections, detections_hash, content, camera)
+                         CVO_OPTIONAL(perturbation, warnings, layout));
 };
 
 struct RunBodies {
   std::vector<BodyRow> refined;
   std::vector<BodyRow> causal;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("refined", self.refined);
-    archive.Field("causal", self.causal);
-  }
+  CVO_FIELDS(refined, causal);
 };
 
 // result.json without its data on single frames and clusters.
@@ -126,23 +90,9 @@ struct RunSummary {
   std::optional<RunBodies> bodies;              // empty without truth
   std::optional<CalibrationState> calibration;  // at the end; empty if it was not estimated
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("job", self.job);
-    archive.Field("status", self.status);
-    archive.Added("message", self.message);
-    archive.Field("variant", self.variant);
-    archive.Optional("system", self.system);
-    archive.Field("seed", self.seed);
-    archive.Field("sequence", self.sequence);
-    archive.Added("options", self.options);
-    archive.Added("given", self.given);
-    archive.Optional("detection_counts", self.detection_counts);
-    archive.Added("build", self.build);
-    archive.Added("metrics", self.metrics);
-    archive.Added("bodies", self.bodies);
-    archive.Optional("calibration", self.calibration);
-  }
+  CVO_RECORD(CVO_FIELD(job, status) CVO_ADDED(message) CVO_FIELD(variant) CVO_OPTIONAL(system)
+                 CVO_FIELD(seed, sequence) CVO_ADDED(options, given) CVO_OPTIONAL(detection_counts)
+                     CVO_ADDED(build, metrics, bodies) CVO_OPTIONAL(calibration));
 };
 
 // Returns the variant name of a run that scores another system's files.

@@ -16,13 +16,7 @@ struct StageSummary {
   double p95_ms = 0.0;
   double total_ms = 0.0;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("median_ms", self.median_ms);
-    archive.Field("mean_ms", self.mean_ms);
-    archive.Field("p95_ms", self.p95_ms);
-    archive.Field("total_ms", self.total_ms);
-  }
+  CVO_FIELDS(median_ms, mean_ms, p95_ms, total_ms);
 };
 
 // Paths of a run's input and output on the machine where it was made, with the settings of the
@@ -35,15 +29,8 @@ struct RunPaths {
   std::optional<int> detections_camera;   // image_0X; empty: the left image that was read
   std::optional<double> min_score;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("sequence", self.sequence);
-    archive.Field("output", self.output);
-    archive.Optional("labels", self.labels);
-    archive.Optional("detections", self.detections);
-    archive.Optional("detections_camera", self.detections_camera);
-    archive.Optional("min_score", self.min_score);
-  }
+  CVO_RECORD(CVO_FIELD(sequence, output)
+                 CVO_OPTIONAL(labels, detections, detections_camera, min_score));
 };
 
 // timing.json: where and when a run was made, and how long it took.
@@ -64,21 +51,8 @@ struct TimingData {
   std::map<std::string, StageSummary> stages;
   Json frames = Json::array();  // {frame, <stage>_ms ...}
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("job", self.job);
-    archive.Field("date", self.date);
-    archive.Field("host", self.host);
-    archive.Field("cpu", self.cpu);
-    archive.Field("cpus", self.cpus);
-    archive.Field("threads", self.threads);
-    archive.Field("paths", self.paths);
-    archive.Field("peak_memory_mb", self.peak_memory_mb);
-    archive.Field("wall_s", self.wall_s);
-    archive.Field("frames_per_second", self.frames_per_second);
-    archive.Field("stages", self.stages);
-    archive.Field("frames", self.frames);
-  }
+  CVO_FIELDS(job, date, host, cpu, cpus, threads, paths, peak_memory_mb, wall_s, frames_per_second,
+             stages, frames);
 };
 
 }  // namespace cvo::reports

@@ -14,7 +14,6 @@
 #include "core/features/options.h"
 #include "core/features/stereo_feature.h"
 #include "core/files/atomic_file.h"
-#include "core/files/disk.h"
 #include "core/geometry/stereo_camera.h"
 #include "experiments/cache/cache_folder.h"
 #include "experiments/cache/content_hash.h"

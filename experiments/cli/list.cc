@@ -13,7 +13,6 @@
 #include "experiments/cli/command.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/job_input.h"
-#include "experiments/suite/shipped/shipped_suites.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
@@ -96,8 +95,8 @@ int ListSuites() {
                std::to_string(suite.seeds.size()), std::to_string(ExpandSuite(suite).size()),
                suite.about});
   }
-  for (const std::string& name : CollectionNames()) {
-    table.Add({name, "", "", "", "", "", "", FindCollection(name)->about});
+  for (const ShippedSuite& shipped : ShippedCollections()) {
+    table.Add({shipped.name, "", "", "", "", "", "", FindCollection(shipped.name)->about});
   }
   table.Print(std::cout);
   return 0;

@@ -9,8 +9,8 @@
 #include "core/base/error.h"
 #include "core/files/images/image_file.h"
 #include "experiments/cli/command.h"
+#include "experiments/datasets/scene_check/check_scene.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/scene_check/check_scene.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
 

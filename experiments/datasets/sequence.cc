@@ -16,10 +16,11 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "experiments/calibration/stereo_rig.h"
+#include "experiments/datasets/calibration/stereo_rig.h"
 #include "experiments/datasets/sequence_parts.h"
 
 namespace cvo {
+
 namespace fs = std::filesystem;
 namespace {
 

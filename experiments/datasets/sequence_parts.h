@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/files/json/json_record.h"
-#include "experiments/calibration/kitti_calibration.h"
-#include "experiments/calibration/stereo_rig.h"
+#include "experiments/datasets/calibration/kitti_calibration.h"
+#include "experiments/datasets/calibration/stereo_rig.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/trajectory.h"

@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/pose_errors.h"
+#include "experiments/metrics/trajectory.h"
 
 namespace cvo {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "experiments/metrics/boxes/average_precision.h"
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/kitti_ap/box_metrics.h"
 #include "experiments/metrics/objects/object_scores.h"
 #include "experiments/record/cluster_tables.h"
 #include "experiments/record/result_file.h"

@@ -12,7 +12,6 @@
 #include "core/files/text/number.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/pose_errors.h"
 #include "experiments/metrics/trajectory.h"
 

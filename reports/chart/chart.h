@@ -55,7 +55,7 @@ struct Datum {
 enum class SeriesKind {
   kLine,    // through the data, with the symbol of its look at each of them
   kBand,    // area between the ends of the y intervals
-  kPoints,  // symbols with whiskers; over a category axis: the rows of a forest plot
+  kPoints,  // symbols with whiskers
   kBars     // from `base` to the value, with whiskers; horizontal if y is the category axis
 };
 
@@ -149,16 +149,5 @@ std::string ChartSvg(const Chart& chart, const ChartStyle& style = {});
 
 // The rules of the classes, for a page with several charts.
 std::string ChartCss();
-
-// A forest plot: one row per estimate with its interval, and a line at `reference`.
-struct ForestRow {
-  std::string label;
-  double value = 0.0;
-  std::optional<ValueRange> interval = {};
-  Look look = {1, Symbol::kSquare};
-  std::string tip = {};
-};
-Panel ForestPanel(const std::string& x_title, const std::vector<ForestRow>& rows,
-                  std::optional<double> reference);
 
 }  // namespace cvo::reports

@@ -325,21 +325,6 @@ std::vector<std::string> WrapText(const std::string& text, double width, double 
   return lines;
 }
 
-Panel ForestPanel(const std::string& x_title, const std::vector<ForestRow>& rows,
-                  std::optional<double> reference) {
-  Panel panel;
-  panel.x.title = x_title;
-  panel.y.scale = AxisScale::kCategory;
-  for (const ForestRow& row : rows) {
-    const auto y = static_cast<double>(panel.y.categories.size());
-    panel.y.categories.push_back(row.label);
-    panel.series.push_back(
-        {SeriesKind::kPoints, "", row.look, {{row.value, y, row.tip, "", row.interval}}});
-  }
-  if (reference) panel.rules = {{*reference}};
-  return panel;
-}
-
 ChartLayout LayOut(const Chart& chart, const ChartStyle& style) {
   ChartLayout layout;
   layout.em = style.font_size_pt;

@@ -13,7 +13,7 @@
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 #include "reports/overlays/overlay_run.h"
-#include "reports/page/html.h"
+#include "reports/page/page.h"
 
 namespace cvo::reports {
 namespace {

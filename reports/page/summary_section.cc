@@ -6,29 +6,19 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/figures/numbers.h"
-#include "reports/page/html.h"
+#include "reports/figures/figure_style.h"
+#include "reports/page/page.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/cells.h"
 
 namespace cvo::reports {
 namespace {
 
-std::string WithUnit(const std::string& number, const std::string& unit) {
-  return unit.empty() ? number : StrCat(number, " ", unit);
-}
-
-// A number with its unit for readers: "0.0625 m", "93.1 %" for a share, "3" for a count.
-std::string QuantityText(double value, const Column& column) {
-  const Shown shown = ShownAs(column.metric, column.unit);
-  return WithUnit(NumberText(shown.scale * value), shown.unit);
-}
-
-// The same for a difference, with its sign.
+// A difference, with its sign and its unit.
 std::string ChangeText(double value, const Column& column) {
-  const Shown shown = ShownAs(column.metric, column.unit);
-  return WithUnit(StrCat(value > 0.0 ? "+" : "", NumberText(shown.scale * value)),
-                  shown.is_share ? "percentage points" : shown.unit);
+  const std::string text = StrCat(value > 0.0 ? "+" : "", QuantityText(value, column));
+  const bool share = ShownAs(column.metric, column.unit).is_share;
+  return share ? text.substr(0, text.size() - 1) + "percentage points" : text;
 }
 
 // "0.05 to 0.07 m".
@@ -36,14 +26,6 @@ std::string RangeText(const Interval& interval, const Column& column) {
   const Shown shown = ShownAs(column.metric, column.unit);
   return StrCat(NumberText(shown.scale * interval.low), " to ",
                 QuantityText(interval.high, column));
-}
-
-// The label of a column, with its unit if another column has the same label.
-std::string NameOf(const Column& column, const Table& table) {
-  const auto count =
-      std::count_if(table.columns.begin(), table.columns.end(),
-                    [&](const Column& other) { return other.label == column.label; });
-  return count > 1 ? StrCat(column.label, " (", column.unit, ")") : column.label;
 }
 
 // A significant difference.

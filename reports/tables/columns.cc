@@ -101,8 +101,8 @@ std::vector<RowRuns> GroupRuns(const std::vector<SuiteRun>& runs,
 
 std::string SceneOf(const SuiteRun& run) {
   const SequenceInfo& sequence = run.run->sequence;
-  return StrCat(KeyOf(run.planned, "sequence"), " ", sequence.pair, " ", sequence.first_frame, ":",
-                sequence.first_frame + sequence.frames);
+  return StrCat(KeyOf(run.planned, "sequence"), " ", sequence.pair, " ",
+                FrameRange(sequence.first_frame, sequence.frames));
 }
 
 std::string RepetitionOf(const SuiteRun& run, const std::vector<std::string>& keys) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -92,14 +93,6 @@ void AddSplits(const Table& table, Lines& lines) {
   }
 }
 
-// Calls `visit` with the row, column index and cell of each cell.
-template <typename Visit>
-void ForEachCell(const Table& table, const Visit& visit) {
-  for (const Row& row : table.rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) visit(i, row.cells[i]);
-  }
-}
-
 // Also states how many scenes are needed to detect a small difference in any row: the statistical
 // power of the table.
 void AddIntervals(const Table& table, Lines& lines) {
@@ -107,14 +100,17 @@ void AddIntervals(const Table& table, Lines& lines) {
   NamesByText pairings;
   std::size_t differences = 0;
   std::vector<std::size_t> needed(table.columns.size());
-  ForEachCell(table, [&](std::size_t column, const Cell& cell) {
-    const std::string name = ColumnName(table, column);
-    if (cell.interval) meanings.Add(cell.interval->meaning, name);
-    if (!cell.difference) return;
-    differences += cell.difference->adjusted_p_value ? 1 : 0;
-    pairings.Add("compared on " + cell.difference->pairing, name);
-    needed[column] = std::max(needed[column], cell.difference->scenes_for_10_percent.value_or(0));
-  });
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const std::string name = ColumnName(table, i);
+      const auto& [interval, difference] = std::tie(row.cells[i].interval, row.cells[i].difference);
+      if (interval) meanings.Add(interval->meaning, name);
+      if (!difference) continue;
+      differences += difference->adjusted_p_value ? 1 : 0;
+      pairings.Add("compared on " + difference->pairing, name);
+      needed[i] = std::max(needed[i], difference->scenes_for_10_percent.value_or(0));
+    }
+  }
   meanings.Print("low..high, ", lines);
   if (differences > 0) {
     lines.push_back(StrCat(

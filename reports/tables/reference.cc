@@ -119,8 +119,8 @@ ReferenceCell Compare(const ReferenceFigure& figure, const ReferenceSource& sour
   const SequenceInfo& sequence = *row.sequence;
   if (figure.first_frame != sequence.first_frame || figure.frames != sequence.frames) {
     return {figure.value, Match::kOtherFrames,
-            StrCat("frames ", figure.first_frame, ":", figure.first_frame + figure.frames,
-                   ", ours ", sequence.first_frame, ":", sequence.first_frame + sequence.frames)};
+            StrCat("frames ", FrameRange(figure.first_frame, figure.frames), ", ours ",
+                   FrameRange(sequence.first_frame, sequence.frames))};
   }
   if (!source.pair.empty() && source.pair != sequence.pair) {
     return {figure.value, Match::kOtherImages, source.pair + " images, ours " + sequence.pair};

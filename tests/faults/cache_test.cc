@@ -12,8 +12,8 @@
 #include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
-#include "experiments/jobs/engine.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/engine.h"
+#include "experiments/suite/plan_inputs.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
 

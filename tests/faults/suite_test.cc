@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "core/files/atomic_file.h"
-#include "experiments/jobs/engine.h"
+#include "experiments/suite/engine.h"
 #include "tests/faults/fault_folder.h"
 
 namespace cvo::suite_test {

@@ -67,36 +67,24 @@ std::vector<Part> MakeParts() {
   }
   parts.push_back({"core/files/images/", {"core/base/", "core/files/"}, {"Eigen/.*"}});
   for (const Part& part : SynthParts()) parts.push_back(part);
-  parts.push_back({"experiments/calibration/", {"core/", "experiments/calibration/"}, {}});
-  const std::vector<std::string> readers = {"core/", "experiments/calibration/",
-                                            "experiments/datasets/", "experiments/metrics/",
-                                            "core/record/"};
-  // Reads single files, independently of the sequence that they belong to.
-  parts.push_back({"experiments/datasets/formats/",
-                   {"core/base/", "core/geometry/", "core/files/", "experiments/datasets/formats/"},
+  parts.push_back({"experiments/datasets/calibration/",
+                   {"core/", "experiments/datasets/calibration/"},
                    {}});
-  parts.push_back({"experiments/datasets/", readers, {}});
-  for (const char* folder : {"", "objects/", "kitti_ap/", "tracking/"}) {
-    parts.push_back({StrCat("experiments/metrics/", folder), readers, {}});
-  }
-  // Reads files only, so that it cannot share a mistake with the code that wrote them.
+  const std::vector<std::string> readers = {"core/", "experiments/datasets/",
+                                            "experiments/metrics/"};
+  // Reads single files, independently of the sequence that they belong to.
   parts.push_back(
-      {"experiments/scene_check/",
-       {"core/", "experiments/datasets/", "experiments/metrics/", "experiments/scene_check/"},
-       {}});
+      {"experiments/datasets/formats/", {"core/", "experiments/datasets/formats/"}, {}});
+  for (const char* folder : {"datasets/", "metrics/", "metrics/objects/", "metrics/boxes/",
+                             "datasets/import/", "datasets/scene_check/"}) {
+    parts.push_back({StrCat("experiments/", folder), readers, {}});
+  }
   parts.push_back(
       {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
-  parts.push_back({"experiments/import/",
-                   {"core/", "experiments/calibration/", "experiments/datasets/",
-                    "experiments/cache/", "experiments/import/"},
-                   {}});
-  parts.push_back({"experiments/yolo/", {"core/", "experiments/yolo/"}, {}});
   // Results are written with the schema with which reports read them.
   std::vector<std::string> below = {"core/", "variants/", "core/record/", "experiments/datasets/",
                                     "experiments/metrics/"};
-  parts.push_back({"experiments/suite/shipped/", {"experiments/suite/shipped/"}, {}});
-  for (const char* folder :
-       {"cache", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
+  for (const char* folder : {"cache", "record", "runner", "suite"}) {
     const std::string part = StrCat("experiments/", folder, "/");
     below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");

@@ -15,7 +15,7 @@
 #include "experiments/cli/reports/reports.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence_parts.h"
-#include "experiments/metrics/alignment.h"
+#include "experiments/metrics/trajectory.h"
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/frame_detections.h"
 
@@ -27,7 +27,7 @@ constexpr std::array<const char*, 4> kDetections = {"good", "oracle", "poor",
 
 SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& folder) {
   SequenceRequest request;
-  request.folder = folder.empty() ? run.detail.paths.sequence : folder;
+  request.folder = folder.empty() ? run.detail.timing.paths.sequence : folder;
   request.type = run.sequence.type;
   request.pair = run.sequence.pair;
   if (run.sequence.layout) request.layout = *run.sequence.layout;
@@ -85,7 +85,7 @@ cv::Mat RunImages::Left(int frame) const {
 }
 
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run) {
-  for (const BoxSources& source : SourcesOf(run.detail.paths)) {
+  for (const BoxSources& source : SourcesOf(run.detail.timing.paths)) {
     SequenceRequest request = RequestOf(run, folder);
     request.detections_file = source.detections;
     request.detections_camera = source.detections_camera;

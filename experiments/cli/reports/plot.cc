@@ -13,9 +13,8 @@
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
-#include "experiments/metrics/alignment.h"
-#include "reports/figures/numbers.h"
-#include "reports/figures/palette.h"
+#include "experiments/metrics/trajectory.h"
+#include "reports/figures/figure_style.h"
 
 namespace cvo {
 namespace {

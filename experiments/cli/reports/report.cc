@@ -17,7 +17,7 @@
 #include "core/record/plan_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
-#include "reports/figures/numbers.h"
+#include "reports/figures/figure_style.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/picture_files.h"
 #include "reports/page/page.h"

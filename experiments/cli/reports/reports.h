@@ -12,7 +12,6 @@
 
 #include "core/interface/frame.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/trajectory.h"
 #include "reports/figures/suite_figures.h"
 #include "reports/overlays/overlay_run.h"

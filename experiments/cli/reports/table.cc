@@ -18,7 +18,7 @@
 #include "core/interface/options.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
-#include "experiments/jobs/engine.h"
+#include "experiments/suite/engine.h"
 #include "reports/runs/suite_times.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/table_texts.h"
@@ -81,9 +81,8 @@ struct TableFlags {
 int PrintTimes(const std::string& folder) {
   CheckNoCollection(folder);
   const reports::SuiteTimes times = reports::ReadSuiteTimes(folder);
-  const std::vector<std::vector<std::string>> rows = reports::TimesTable(times);
-  TextTable table(rows.front());
-  for (std::size_t i = 1; i < rows.size(); ++i) table.Add(rows[i]);
+  TextTable table(times.table.front());
+  for (std::size_t i = 1; i < times.table.size(); ++i) table.Add(times.table[i]);
   table.Print(std::cout);
   std::cout << "machine: " << Joined(times.machines, "; ") << '\n';
   return 0;

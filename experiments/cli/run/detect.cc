@@ -14,7 +14,7 @@
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/run.h"
-#include "experiments/yolo/detector_model.h"
+#include "experiments/datasets/detector_model.h"
 
 namespace cvo {
 namespace {

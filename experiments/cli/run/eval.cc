@@ -15,13 +15,12 @@
 #include "experiments/cache/content_hash.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/run.h"
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/clock_offset.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/score_files.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 
 namespace cvo {
 namespace {

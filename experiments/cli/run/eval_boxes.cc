@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
-#include "experiments/metrics/kitti_ap/box_metrics.h"
-#include "experiments/metrics/tracking/tracking_scores.h"
+#include "experiments/metrics/boxes/average_precision.h"
+#include "experiments/metrics/boxes/tracking_scores.h"
 
 namespace cvo {
 namespace {

@@ -25,7 +25,7 @@
 #include "experiments/record/job_identity.h"
 #include "experiments/runner/job_cache.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 #include "synth/write/render_cache.h"
 #include "variants/registry.h"
 

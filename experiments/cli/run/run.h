@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/datasets/import/import_stereo.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/import/import_stereo.h"
 #include "experiments/metrics/pose_errors.h"
 #include "experiments/record/run_result.h"
 #include "experiments/runner/score_run.h"

@@ -18,9 +18,9 @@
 #include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/suite/run_suite.h"
-#include "experiments/jobs/run_plan.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan/plan_outlook.h"
+#include "experiments/suite/plan_outlook.h"
+#include "experiments/suite/run_plan.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
@@ -50,19 +50,6 @@ std::string FailureOf(const fs::path& file) {
     return "reason not readable in " + file.string();
   }
   return "";
-}
-
-// An earlier plan.json that cannot be read counts as none.
-PlanState FindPlanState(const Suite& suite, const PlanRequest& request, const SuiteFolder& folder) {
-  PlanState state;
-  state.built = BuildPlan(suite, request);
-  const EarlierRuns earlier = {
-      EarlierPlan(folder), [&](const PlanJob& job) { return HasFiles(folder, job); },
-      [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
-  state.outlook = PredictStates(state.built.plan, earlier);
-  state.frame_time_s = MeasuredFrameTime_s(state.built.plan, earlier,
-                                           [&](const std::string& job) { return folder.job(job); });
-  return state;
 }
 
 struct StatusFlags {
@@ -140,23 +127,24 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
                              : " (assuming 35 frames/s, rendering 4 frames/s)\n");
 }
 
-Suite LoadSuiteOf(const StatusFlags& flags) {
+// An earlier plan.json that cannot be read counts as none.
+PlanState PlanOf(const StatusFlags& flags) {
+  Suite suite;
   try {
-    return flags.suite.Load();
+    suite = flags.suite.Load();
   } catch (const Error& error) {
     throw UsageError(error.what());
   }
-}
-
-PlanState PlanOf(const StatusFlags& flags) {
-  const Suite suite = LoadSuiteOf(flags);
-  PlanRequest request = flags.suite.Request();
-  // Progress is only of interest if images have to be read, and is only shown on a terminal.
-  const bool quiet = flags.quiet || ::isatty(STDERR_FILENO) == 0;
-  Progress progress(quiet, "jobs planned");
-  request.progress = progress.Reporter();
-  request.notice = PrintNotice;
-  return FindPlanState(suite, request, {flags.suite.output});
+  const SuiteFolder folder{flags.suite.output};
+  PlanState state;
+  state.built = PlanSuite(suite, flags.suite, flags.quiet);
+  const EarlierRuns earlier = {
+      EarlierPlan(folder), [&](const PlanJob& job) { return HasFiles(folder, job); },
+      [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
+  state.outlook = PredictStates(state.built.plan, earlier);
+  state.frame_time_s = MeasuredFrameTime_s(state.built.plan, earlier,
+                                           [&](const std::string& job) { return folder.job(job); });
+  return state;
 }
 
 // Prints the plan section by section. A suite that belongs to several sections is planned only

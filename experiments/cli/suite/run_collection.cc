@@ -14,7 +14,7 @@
 #include "experiments/cli/reports/reports.h"
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/suite.h"
-#include "reports/page/html.h"
+#include "reports/page/page.h"
 #include "reports/runs/suite_times.h"
 #include "reports/tables/make_table.h"
 
@@ -193,7 +193,7 @@ class CollectionRun {
 
   static std::string TimesHtml(const fs::path& folder) {
     const reports::SuiteTimes times = reports::ReadSuiteTimes(folder);
-    std::vector<std::vector<std::string>> rows = reports::TimesTable(times);
+    std::vector<std::vector<std::string>> rows = times.table;
     const std::vector<std::string> columns = rows.front();
     rows.erase(rows.begin());
     return reports::Element("p", "Here: " + Joined(times.machines, "; ") + ".") + "\n" +

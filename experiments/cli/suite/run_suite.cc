@@ -16,8 +16,8 @@
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/jobs/run_plan.h"
-#include "experiments/jobs/slurm/slurm_engine.h"
+#include "experiments/suite/run_plan.h"
+#include "experiments/suite/slurm.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
@@ -181,15 +181,9 @@ class SuiteRun {
   }
 
   BuiltPlan MakePlan() const {
-    // Progress is only of interest if images have to be read, and is only shown on a terminal.
-    Progress stage(flags_.quiet || ::isatty(STDERR_FILENO) == 0, "jobs planned");
-    PlanRequest request = flags_.suite.Request();
-    request.notice = PrintNotice;
-    request.progress = [&](std::size_t done, std::size_t total) {
+    return PlanSuite(suite_, flags_.suite, flags_.quiet, [this] {
       if (stop_.Requested()) throw Stopped();
-      stage.Report(done, total);
-    };
-    return BuildPlan(suite_, request);
+    });
   }
 
   void WritePlan(const Plan& plan) const {
@@ -280,6 +274,19 @@ class SuiteRun {
 };
 
 }  // namespace
+
+BuiltPlan PlanSuite(const Suite& suite, const SuiteFlags& flags, bool quiet,
+                    const std::function<void()>& stop) {
+  // Progress is only of interest if images have to be read, and is only shown on a terminal.
+  Progress stage(quiet || ::isatty(STDERR_FILENO) == 0, "jobs planned");
+  PlanRequest request = flags.Request();
+  request.notice = PrintNotice;
+  request.progress = [&](std::size_t done, std::size_t total) {
+    stop();
+    stage.Report(done, total);
+  };
+  return BuildPlan(suite, request);
+}
 
 int RunSuite(const SuiteRunFlags& flags) {
   SuiteRun run(flags);

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "experiments/calibration/rig_file.h"
+#include "experiments/datasets/calibration/rig_file.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_parts.h"

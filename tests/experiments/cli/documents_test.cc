@@ -11,8 +11,8 @@
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
 #include "tests/experiments/cli/process.h"
+#include "tests/experiments/datasets/tiny_network.h"
 #include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/experiments/yolo/tiny_network.h"
 #include "tests/support/real_data.h"
 #include "tests/support/temp_folder.h"
 

@@ -14,8 +14,8 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
-#include "experiments/jobs/engine.h"
-#include "experiments/jobs/job_status.h"
+#include "experiments/suite/engine.h"
+#include "experiments/suite/job_status.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/jobs/slurm/slurm_cluster.h"
 #include "tests/experiments/runner/tiny_sequence.h"

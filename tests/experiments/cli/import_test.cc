@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/yolo/tiny_network.h"
+#include "tests/experiments/datasets/tiny_network.h"
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
 
 namespace cvo::import_test {
 namespace {

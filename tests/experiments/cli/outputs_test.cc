@@ -13,8 +13,8 @@
 
 #include "core/base/error.h"
 #include "tests/experiments/cli/process.h"
+#include "tests/experiments/datasets/tiny_network.h"
 #include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/experiments/yolo/tiny_network.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {

@@ -13,7 +13,7 @@
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/trajectory.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/scene_check/rays.h"
+#include "tests/experiments/datasets/scene_check/rays.h"
 
 namespace cvo {
 namespace {

@@ -12,7 +12,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "experiments/calibration/kitti_calibration.h"
+#include "experiments/datasets/calibration/kitti_calibration.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/images.h"

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/alignment.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::alignment_test {

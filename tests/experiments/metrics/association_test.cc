@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/metrics/alignment.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::association_test {

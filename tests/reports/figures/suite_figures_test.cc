@@ -174,7 +174,7 @@ TEST(SuiteFigures, NameEachMissingFileOnce) {
   readable.Add(result, "2d");
   EXPECT_THAT(Draw(readable.Written()).not_drawn,
               Contains("truth.json: no such file (2011_09_26_drive_0001 full seed 0 and 1 more "
-                       "runs)."));
+                       "run)."));
 }
 
 TEST(SuiteFigures, DrawTheFirstSeedAtTheDefaults) {

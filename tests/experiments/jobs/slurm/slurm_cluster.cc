@@ -4,7 +4,6 @@
 
 #include <fcntl.h>
 #include <netinet/in.h>
-#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,10 +13,9 @@
 #include <csignal>
 #include <fstream>
 #include <thread>
-#include <utility>
 
 #include "core/base/error.h"
-#include "experiments/jobs/engine.h"
+#include "experiments/suite/engine.h"
 
 namespace cvo::test {
 namespace fs = std::filesystem;
@@ -87,21 +85,17 @@ bool KillAllWith(const std::string& variable) {
   return found;
 }
 
-Captured Run(const std::vector<std::string>& argv) {
-  return Capture(argv, [](const Captured&) { return false; });
-}
-
-}  // namespace
-
-Daemon::Daemon(const std::vector<std::string>& argv, const fs::path& log) {
-  std::vector<std::string> words = argv;
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
+// Starts a process that the guard ends. Its output goes to <folder>/<program>.out.
+void StartDaemon(const fs::path& folder, const std::string& program,
+                 std::vector<std::string> flags) {
+  std::string path = ProgramPath(program);
+  std::vector<char*> pointers = {path.data()};
+  for (std::string& flag : flags) pointers.push_back(flag.data());
   pointers.push_back(nullptr);
-  pid_ = ::fork();
-  Require(pid_ >= 0, "fork");
-  if (pid_ > 0) return;
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const std::string log = (folder / (program + ".out")).string();
+  const pid_t pid = ::fork();
+  Require(pid >= 0, "fork");
+  if (pid > 0) return;
   const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
   ::dup2(out, STDOUT_FILENO);
   ::dup2(out, STDERR_FILENO);
@@ -109,13 +103,11 @@ Daemon::Daemon(const std::vector<std::string>& argv, const fs::path& log) {
   ::_exit(126);
 }
 
-Daemon::Daemon(Daemon&& other) noexcept : pid_(std::exchange(other.pid_, -1)) {}
-
-Daemon::~Daemon() {
-  if (pid_ <= 0) return;
-  ::kill(pid_, SIGKILL);
-  ::waitpid(pid_, nullptr, 0);
+Captured Run(const std::vector<std::string>& argv) {
+  return Capture(argv, [](const Captured&) { return false; });
 }
+
+}  // namespace
 
 // The cluster sets SLURM_CONF only after this fork, so neither this process nor the guard has the
 // variable in its initial environment.
@@ -157,21 +149,20 @@ SlurmCluster::SlurmCluster()
   WriteConfig();
   ::setenv("SLURM_CONF", (folder() / "slurm.conf").c_str(), 1);
   const std::string munge = (folder() / "munge").string();
-  daemons_.push_back(
-      Daemon({ProgramPath("munged"), "--foreground", "--force", "--key-file=" + munge + "/key",
-              "--socket=" + munge + "/socket", "--pid-file=" + munge + "/pid",
-              "--log-file=" + munge + "/log", "--seed-file=" + munge + "/seed"},
-             folder() / "munged.out"));
+  started_ = true;
+  StartDaemon(folder(), "munged",
+              {"--foreground", "--force", "--key-file=" + munge + "/key",
+               "--socket=" + munge + "/socket", "--pid-file=" + munge + "/pid",
+               "--log-file=" + munge + "/log", "--seed-file=" + munge + "/seed"});
   for (int i = 0; i < kTries && !fs::exists(munge + "/socket"); ++i) {
     std::this_thread::sleep_for(milliseconds(100));
   }
-  daemons_.push_back(Daemon({ProgramPath("slurmctld"), "-D"}, folder() / "slurmctld.out"));
-  daemons_.push_back(Daemon({ProgramPath("slurmd"), "-D"}, folder() / "slurmd.out"));
+  for (const char* program : {"slurmctld", "slurmd"}) StartDaemon(folder(), program, {"-D"});
   if (!WaitUntilReady()) missing_ = "Slurm does not come up: " + ReadFile(folder() / "slurmd.out");
 }
 
 SlurmCluster::~SlurmCluster() {
-  if (daemons_.empty()) return;
+  if (!started_) return;
   Run({"scancel", StrCat("--user=", ::geteuid())});
   for (int i = 0; i < kTries; ++i) {
     const Captured queue = Run({"squeue", "--noheader"});

@@ -12,19 +12,7 @@
 
 namespace cvo::test {
 
-// A child process that ends with this process, however this one ends.
-class Daemon {
- public:
-  Daemon(const std::vector<std::string>& argv, const std::filesystem::path& log);
-  ~Daemon();
-  Daemon(Daemon&& other) noexcept;
-  Daemon& operator=(Daemon&&) = delete;
-
- private:
-  pid_t pid_ = -1;
-};
-
-// Kills every process left over from a Slurm with this configuration, tasks included, when it is
+// Kills every process of a Slurm with this configuration, daemons and tasks included, when it is
 // destroyed or this process ends in any way.
 class SlurmGuard {
  public:
@@ -59,7 +47,7 @@ class SlurmCluster {
   SlurmGuard guard_;
   std::string node_;
   std::string missing_;
-  std::vector<Daemon> daemons_;  // munged, slurmctld and slurmd
+  bool started_ = false;
 };
 
 // Runs a program and returns its standard output. Throws Error if it fails.

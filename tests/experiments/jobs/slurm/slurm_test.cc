@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/slurm.h"
+
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,8 +14,7 @@
 #include <thread>
 
 #include "core/base/error.h"
-#include "experiments/jobs/engine.h"
-#include "experiments/jobs/slurm/slurm_engine.h"
+#include "experiments/suite/engine.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/jobs/slurm/slurm_cluster.h"
 #include "tests/support/error_message.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/objects/object_scores.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/experiments/metrics/objects/object_world.h"
 
 namespace cvo::object_test {
