@@ -66,9 +66,9 @@ std::string VersionText() {
                 build.libraries.eigen, "\nCPU level  ", build.cpu_level);
 }
 
-void CheckNoFolder(const char* flag, const std::string& file) {
+void CheckNoFolder(const char* flag, const std::filesystem::path& file) {
   if (!std::filesystem::is_directory(file)) return;
-  throw UsageError(StrCat(flag, ": found the folder ", file, ", expected a file"));
+  throw UsageError(StrCat(flag, ": found the folder ", file.string(), ", expected a file"));
 }
 
 void AddQuiet(CLI::App& app, bool& quiet) {

@@ -97,7 +97,7 @@ Command AddExperimentTableCommand(CLI::App& experiment);
 Command AddExperimentCompareCommand(CLI::App& experiment);
 
 // Throws UsageError if a folder was given to a flag that takes a file.
-void CheckNoFolder(const char* flag, const std::string& file);
+void CheckNoFolder(const char* flag, const std::filesystem::path& file);
 
 // Add -q, and --threads with the number of CPUs as its default. Every long command has them.
 void AddQuiet(CLI::App& app, bool& quiet);

@@ -157,7 +157,7 @@ void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
 
 // Throws UsageError for a flag that the command does not have, suggesting the one that was probably
 // meant.
-void CheckFlags(int argc, char** argv, const CLI::App& program) {
+void CheckFlagNames(int argc, char** argv, const CLI::App& program) {
   const CLI::App* app = &program;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -260,7 +260,7 @@ int Main(int argc, char** argv) {
                 AddExplainCommand(program)});
   try {
     CheckSubcommand(argc, argv, program);
-    CheckFlags(argc, argv, program);
+    CheckFlagNames(argc, argv, program);
     program.parse(argc, argv);
     CheckOutputName(program);
   } catch (const CLI::ParseError& error) {

@@ -34,34 +34,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Flags that control how an estimator runs, independent of its input.
-struct RunFlags {
-  std::string config;
-  std::vector<std::string> set;
-  int threads = 1;
-  bool quiet = false;
-
-  void AddTo(CLI::App& app);
-  // Returns the defaults, overridden by --config and then by --set. Throws Error for an invalid
-  // option.
-  Options Resolve(const Options& defaults) const;
-};
-
-void RunFlags::AddTo(CLI::App& app) {
-  const FlagAdder add{app};
-  add("--set", set, "PATH=VALUE", "set one option (see clustervo list options); can be repeated")
-      ->allow_extra_args(false);
-  add("--config", config, "FILE",
-      "JSON file with options as nested objects; --set takes precedence");
-  AddThreads(app, threads);
-  AddQuiet(app, quiet);
-}
-
-Options RunFlags::Resolve(const Options& defaults) const {
-  CheckNoFolder("--config", config);
-  return ResolveOptions<Options>(config, set, defaults);
-}
-
 // Like FindVariant, but throws UsageError with the nearest names if there is no such variant.
 const VariantInfo& VariantNamed(const std::string& name) {
   std::vector<std::string> names;
@@ -124,7 +96,10 @@ void CheckFormerRun(const RunRequest& request, const fs::path& folder) {
 
 struct Flags {
   SequenceFlags sequence;
-  RunFlags run;
+  std::string config;
+  std::vector<std::string> set;
+  int threads = 1;
+  bool quiet = false;
   std::string variant = "full";
   std::string output;
   std::optional<std::uint64_t> seed;
@@ -203,7 +178,7 @@ void RefuseLost(const Sequence& sequence, const RunResult& run) {
 JobCache OpenCache(const Flags& flags, std::size_t frames) {
   FileHashHooks hooks;
   hooks.notice = PrintNotice;
-  const auto progress = std::make_shared<Progress>(flags.run.quiet);
+  const auto progress = std::make_shared<Progress>(flags.quiet);
   hooks.hashed = [progress, frames](std::size_t done, std::size_t total) {
     progress->Report(frames * done / total, frames);
   };
@@ -213,21 +188,22 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
 int Run(const Flags& flags) {
   if (!flags.cache_size.empty()) (void)CacheLimit(flags.cache_size);  // even without --cache
   const VariantInfo& variant = VariantNamed(flags.variant);
-  const Options options = flags.run.Resolve(variant.defaults());
+  CheckNoFolder("--config", flags.config);
+  const Options options = ResolveOptions<Options>(flags.config, flags.set, variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   CheckApartFrom(flags.sequence.OwnInputs(), flags.output);
   CheckPlaceOfRun(flags.output);
-  const Sequence sequence = OpenSequence(flags.sequence.Request(flags.run.quiet));
+  const Sequence sequence = OpenSequence(flags.sequence.Request(flags.quiet));
   CheckClasses(classes, sequence.detections);
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
-  read.emplace_back(flags.run.config);
+  read.emplace_back(flags.config);
   const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);
 
   std::optional<JobCache> cache;
   if (flags.cache) cache.emplace(OpenCache(flags, sequence.images.size()));
   RequireAsRendered(sequence, [&](const auto& files) {
-    return cache ? cache->HashesOf(files, flags.run.threads) : HashesByReading(files);
+    return cache ? cache->HashesOf(files, flags.threads) : HashesByReading(files);
   });
 
   std::optional<JobOutcome> outcome;
@@ -237,7 +213,7 @@ int Run(const Flags& flags) {
                           .variant = variant,
                           .options = options,
                           .seed = flags.seed.value_or(0),
-                          .threads = flags.run.threads,
+                          .threads = flags.threads,
                           .classes = classes,
                           .oracle = ParseOracle(flags.oracle),
                           .landmarks = flags.landmarks,
@@ -245,7 +221,7 @@ int Run(const Flags& flags) {
                           .stop = [&stop] { return stop.Requested(); }};
     if (cache) cache->Serve(request);
     if (!flags.force) CheckFormerRun(request, output.path());
-    Progress progress(flags.run.quiet);
+    Progress progress(flags.quiet);
     request.progress = [&](std::size_t done) { progress.Report(done, sequence.images.size()); };
     outcome = RunJob(request, output.path());
   }
@@ -271,7 +247,13 @@ Command AddRunCommand(CLI::App& program) {
   add("-o,--output", flags->output, "FOLDER", "output folder for the results")->required();
   add("--variant", flags->variant, "NAME", "estimator variant (see clustervo list variants)")
       ->capture_default_str();
-  flags->run.AddTo(*app);
+  add("--set", flags->set, "PATH=VALUE",
+      "set one option (see clustervo list options); can be repeated")
+      ->allow_extra_args(false);
+  add("--config", flags->config, "FILE",
+      "JSON file with options as nested objects; --set takes precedence");
+  AddThreads(*app, flags->threads);
+  AddQuiet(*app, flags->quiet);
   AddSeed(*app, flags->seed, "random seed of the estimator; default: 0");
   add("--classes", flags->classes, "A,B,...",
       "detection classes to treat as rigid bodies, others are ignored; default: vehicles and the "

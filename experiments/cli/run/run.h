@@ -23,21 +23,10 @@ inline constexpr const char* kSequenceMissing =
     "no sequence: give a folder, or --left, --right and --calib";
 
 // Flags that select the sequence to read, and the part of it.
-struct SequenceFlags {
-  std::string folder;
-  std::string type;
-  std::string dataset;
-  std::string pair;
-  std::string groundtruth = "devkit";
-  std::string frames;
-  std::string labels;
-  std::string layout;
-  std::string detections;
-  int labels_camera = -1;
-  int detections_camera = -1;
-  double min_score = -1e300;
-  std::optional<double> right_shift_px;
-  StereoImport stereo;  // instead of the folder, if --left is given
+struct SequenceFlags : SequenceRequest {
+  std::string frames;        // "A:B"
+  std::string layout_flag;   // JSON, or a file
+  StereoImport stereo = {};  // instead of the folder, if --left is given
 
   void AddTo(CLI::App& app);
   // Adds --type and --layout.
@@ -59,8 +48,6 @@ void AddStereo(CLI::App& app, StereoImport& stereo);
 void CheckStereo(const StereoImport& stereo);
 // The files and folders of an import. Some paths may be empty.
 std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo);
-
-void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px);
 
 // What one stereo pair reveals about its calibration: corners matched by their appearance alone, at
 // any position in the images, so that a wrong rectification and swapped sides become visible.

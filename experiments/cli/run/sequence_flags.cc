@@ -70,7 +70,8 @@ void CheckSequenceFolder(const fs::path& folder) {
 
 // Throws Error unless `detections` is empty, a file, a detector level of the sequence's scene,
 // "labels" (see AreFromLabels) or "none".
-void CheckDetections(const std::string& detections, const fs::path& folder) {
+void CheckDetections(const fs::path& given, const fs::path& folder) {
+  const std::string detections = given.string();
   std::vector<std::string> names = NamesIn(folder / "detections", false);
   const bool has_levels = !names.empty();
   names.insert(names.end(), {"labels", "none"});
@@ -119,7 +120,7 @@ void SequenceFlags::AddLayoutTo(CLI::App& app) {
   add("--type", type, "NAME",
       "layout of the folder: " + Joined(SequenceLayouts(), ", ", &SequenceLayout::type) +
           "; default: detected from its contents");
-  add("--layout", layout, "JSON|FILE",
+  add("--layout", layout_flag, "JSON|FILE",
       "settings of the layout, such as the names of bodies (experiments/README.md): a "
       "JSON object, or a file containing one");
 }
@@ -132,40 +133,35 @@ void SequenceFlags::AddTruthTo(CLI::App& app) {
   add("--pair", pair, "NAME",
       "images to read, grey or colour; default: grey if present, otherwise colour");
   add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
-  add("--labels", labels, "FILE", "KITTI label file to use instead of the folder's own");
+  add("--labels", labels_file, "FILE", "KITTI label file to use instead of the folder's own");
   add("--labels-camera", labels_camera, "X",
       "camera (image_0X) in which the labels were drawn; default: 2, for KITTI odometry the left "
       "camera in use");
 }
 
 void SequenceFlags::AddTo(CLI::App& app) {
+  const FlagAdder add{app};
   add("SEQUENCE", folder, "",
       "sequence folder of KITTI or another supported data set (see experiments/README.md), or "
       "<training>/<number> for KITTI tracking; alternatively give --left, --right and --calib");
-  const FlagAdder add{app};
   AddTruthTo(app);
   add("--groundtruth", groundtruth, "NAME",
       "KITTI raw: devkit (OxTS packets as recorded) or interpolated (OxTS interpolated to image "
       "times)")
       ->capture_default_str();
-  add("--detections", detections, "FILE|labels|none",
+  add("--detections", detections_file, "FILE|labels|none",
       "source of 2D boxes: a file in KITTI format (track ids are ignored), a detector level of a "
       "synthetic scene (oracle, good, poor), the 2D boxes of the labels (labels:0-5: of the tracks "
       "with these ids), or none");
   add("--detections-camera", detections_camera, "X",
       "camera (image_0X) in which the boxes were detected; default: the left camera in use");
-  AddRightShift(app, right_shift_px);
+  add("--right-shift", right_shift_px, "PX",
+      "known rectification error: pixels by which u_right is too large; the estimate of this error "
+      "starts from it; default: 0")
+      ->check(Within(-100.0, 100.0));
   AddStereo(app, stereo);
   add("--min-score", min_score, "SCORE", "minimum score of a detection; default: none")
       ->check(Within(-1e6, 1e6));
-}
-
-void AddRightShift(CLI::App& app, std::optional<double>& right_shift_px) {
-  const FlagAdder add{app};
-  add("--right-shift", right_shift_px, "PX",
-      "known rectification error: pixels by which u_right is too large; the estimate of "
-      "this error starts from it; default: 0")
-      ->check(Within(-100.0, 100.0));
 }
 
 void CheckStereo(const StereoImport& stereo) {
@@ -199,15 +195,16 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
 
 std::vector<std::filesystem::path> SequenceFlags::OwnInputs() const {
   std::vector<std::filesystem::path> inputs = InputsOf(stereo);
-  inputs.insert(inputs.end(), {detections, labels});
+  inputs.insert(inputs.end(), {detections_file, labels_file});
   return inputs;
 }
 
 SequenceRequest SequenceFlags::Request(bool quiet) const {
-  CheckNoFolder("--labels", labels);
-  if (detections != "labels" && detections != "none") CheckNoFolder("--detections", detections);
-  SequenceRequest request;
-  request.folder = folder;
+  CheckNoFolder("--labels", labels_file);
+  if (detections_file != "labels" && detections_file != "none") {
+    CheckNoFolder("--detections", detections_file);
+  }
+  SequenceRequest request = *this;
   if (stereo.left.empty() && stereo.right.empty()) {
     if (folder.empty()) throw UsageError(kSequenceMissing);
     CheckSequenceFolder(folder);
@@ -218,23 +215,14 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
     CheckStereo(stereo);
     request.folder = ImportIntoCache(stereo, synth::CacheFolder(), Progress(quiet).Reporter());
   }
-  CheckDetections(detections, request.folder);
-  request.type = type;
-  request.layout = ReadLayoutSettings(layout);
-  request.dataset = dataset;
-  request.pair = pair;
-  request.groundtruth = groundtruth;
+  CheckDetections(detections_file, request.folder);
+  request.layout = ReadLayoutSettings(layout_flag);
   if (!frames.empty()) {
     const FrameRange range = ParseFrameRange(frames);
     request.begin_frame = range.begin;
     request.end_frame = range.end;
   }
-  request.labels_file = labels;
-  request.labels_camera = labels_camera;
-  if (detections != "none") request.detections_file = detections;
-  request.detections_camera = detections_camera;
-  request.min_score = min_score;
-  request.right_shift_px = right_shift_px;
+  if (detections_file == "none") request.detections_file.clear();
   return request;
 }
 

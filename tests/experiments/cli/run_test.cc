@@ -67,7 +67,7 @@ TEST_F(CliRun, SameBytesForAnyNumberOfThreads) {
   ExpectSameFiles(out("one"), out("four"));
 }
 
-TEST_F(CliRun, SkipsADamagedImageAndListsIt) {
+TEST_F(CliRun, ADamagedImageIsSkippedOrRefusedIfStrict) {
   test::CutFile(tiny() / "image_1" / "000004.png");
   const ProcessResult run = Run(out());
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -78,11 +78,10 @@ TEST_F(CliRun, SkipsADamagedImageAndListsIt) {
   EXPECT_EQ(result["trajectories"]["camera.kitti"]["predicted_rows"], Json::array({4}));
   EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.kitti")), 8U);
   EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.tum")), 7U);
-  for (const Json& metric : result["metrics"]) {
-    if (metric["name"] == "camera_coverage") {
-      EXPECT_EQ(metric["value"], 0.875);
-    }
-  }
+  EXPECT_EQ(result["metrics"][0]["name"], "camera_coverage");
+  EXPECT_EQ(result["metrics"][0]["value"], 0.875);
+  ExpectError(Run(out("strict"), {"--strict", "-q"}), "000004.png");
+  EXPECT_FALSE(fs::exists(out("strict")));
 }
 
 // Only the same run replaces the content of a folder, unless --force is given.

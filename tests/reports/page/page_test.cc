@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "reports/page/html.h"
 
 #include "tests/reports/results/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
