@@ -20,7 +20,7 @@ struct LibraryVersions {
 struct BuildInfo {
   std::string version;
   std::string estimator_sources;   // SHA-256 over core, variants and the readers
-  std::string evaluation_sources;  // SHA-256 over metrics, runner, record and cache
+  std::string evaluation_sources;  // SHA-256 over metrics and runner
   std::string compiler;
   std::string build_type;
   std::string flags;

@@ -21,7 +21,7 @@
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 #include "core/files/text_file.h"
-#include "experiments/record/build_identity.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
 

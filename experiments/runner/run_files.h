@@ -8,10 +8,29 @@
 #include <vector>
 
 #include "core/files/atomic_file.h"
-#include "experiments/record/result_file.h"
-#include "experiments/record/timing_file.h"
+#include "core/files/text_file.h"
+#include "core/record/timing.h"
+#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_result.h"
 
 namespace cvo {
+
+// Where and when a run was made. None of this is in a result.
+struct RunContext {
+  std::string job;
+  std::string date;  // UTC, ISO 8601
+  std::string host;
+  std::string cpu;
+  int threads = 1;
+  reports::RunPaths paths;
+  double peak_memory_mb = 0.0;  // 10^6 bytes, of the whole process
+};
+
+// Returns date, host, CPU and peak memory of the running process. The other fields are left empty.
+RunContext ThisProcess();
+
+// Writes timing.json: wall time per frame by stage in ms, frames per second, and the context.
+void WriteTimingFile(const RunResult& run, const RunContext& context, const TextSink& sink);
 
 // Returns the names of what a run may write to its folder: result.json, timing.json, truth.json,
 // camera.tum, camera.kitti, objects.csv, tracks.kitti, clusters/ with <id>.tum and, on request,

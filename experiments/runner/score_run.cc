@@ -10,9 +10,9 @@
 #include "experiments/metrics/boxes/average_precision.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/objects/object_scores.h"
-#include "experiments/record/cluster_tables.h"
-#include "experiments/record/result_file.h"
-#include "experiments/record/run_result.h"
+#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_result.h"
+#include "experiments/runner/run_tables.h"
 
 namespace cvo {
 namespace {

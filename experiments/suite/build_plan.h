@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/files/json/json.h"
-#include "experiments/cache/cache_folder.h"
+#include "experiments/runner/file_hashes.h"
 #include "experiments/suite/suite.h"
 
 namespace cvo {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/runner/system_files.h"
+#include "experiments/runner/system_run.h"
 #include "experiments/suite/suite.h"
 
 namespace cvo {

@@ -18,7 +18,7 @@
 #include "core/files/atomic_file.h"
 #include "core/record/plan_file.h"
 #include "core/record/run_summary.h"
-#include "experiments/record/run_result.h"
+#include "experiments/runner/run_result.h"
 #include "experiments/suite/collection.h"
 
 namespace cvo {

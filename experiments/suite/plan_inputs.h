@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cache/content_hash.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/runner/identity.h"
 #include "experiments/suite/job_input.h"
 #include "experiments/suite/suite.h"
 #include "synth/write/dataset.h"

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/runner/job_cache.h"
+#include "experiments/runner/run_job.h"
 #include "experiments/suite/build_plan.h"
 #include "experiments/suite/engine.h"
 #include "experiments/suite/job_status.h"

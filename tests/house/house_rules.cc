@@ -39,7 +39,7 @@ struct TextRule {
 const std::vector<TextRule>& TextRules() {
   static const std::regex estimator(R"((core|variants)/.*\.(h|cc))");
   static const std::regex library(
-      R"((core|variants|synth|reports|experiments/(datasets|metrics|record|runner|scene_check))/.*\.(h|cc))");
+      R"((core|variants|synth|reports|experiments/(datasets|metrics|runner|scene_check))/.*\.(h|cc))");
   static const std::regex any(".*");
   // Only cpu_level.* asks for the architecture. A kernel for it, chosen at run time, asks for
   // CVO_WITH_AVX2 instead.

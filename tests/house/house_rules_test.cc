@@ -41,7 +41,7 @@ TEST(Includes, FollowTheLayers) {
                  {"\"variants/registry.h\"", "\"experiments/datasets/sequence.h\""});
   ExpectIncludes("variants/a.cc", {"\"core/interface/frame.h\""},
                  {"\"experiments/runner/suite.h\""});
-  ExpectIncludes("experiments/record/a.cc", {"\"build_sources.h\""}, {"\"experiments/cli/a.h\""});
+  ExpectIncludes("experiments/runner/a.cc", {"\"build_sources.h\""}, {"\"experiments/cli/a.h\""});
   ExpectIncludes("experiments/suite/a.cc", {"\"synth/write/manifest.h\""},
                  {"\"reports/tables/table.h\""});
   ExpectIncludes("experiments/cli/a.cc", {"\"reports/tables/table.h\""},
@@ -71,7 +71,7 @@ TEST(Includes, ReportsReadFilesAndOnlyOverlaysDraw) {
                  {"\"core/features/orb/orb.h\"", "\"experiments/suite/job_status.h\"",
                   "<ceres/ceres.h>", "<opencv2/core/mat.hpp>"});
   ExpectIncludes("reports/overlays/a.cc", {"<opencv2/imgproc.hpp>"},
-                 {"\"experiments/cache/cache_file.h\"", "<ceres/ceres.h>"});
+                 {"\"experiments/runner/cache_file.h\"", "<ceres/ceres.h>"});
 }
 
 const char kHeader[] =

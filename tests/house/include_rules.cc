@@ -66,10 +66,12 @@ std::vector<Part> MakeParts() {
     parts.push_back({folder, {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
   }
   parts.push_back({"core/files/images/", {"core/base/", "core/files/"}, {"Eigen/.*"}});
+  parts.push_back({"core/record/",
+                   {"core/base/", "core/geometry/", "core/files/", "core/record/"},
+                   {"opencv2/.*"}});
   for (const Part& part : SynthParts()) parts.push_back(part);
-  parts.push_back({"experiments/datasets/calibration/",
-                   {"core/", "experiments/datasets/calibration/"},
-                   {}});
+  parts.push_back(
+      {"experiments/datasets/calibration/", {"core/", "experiments/datasets/calibration/"}, {}});
   const std::vector<std::string> readers = {"core/", "experiments/datasets/",
                                             "experiments/metrics/"};
   // Reads single files, independently of the sequence that they belong to.
@@ -79,25 +81,23 @@ std::vector<Part> MakeParts() {
                              "datasets/import/", "datasets/scene_check/"}) {
     parts.push_back({StrCat("experiments/", folder), readers, {}});
   }
-  parts.push_back(
-      {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
   // Results are written with the schema with which reports read them.
-  std::vector<std::string> below = {"core/", "variants/", "core/record/", "experiments/datasets/",
+  std::vector<std::string> below = {"core/", "variants/", "experiments/datasets/",
                                     "experiments/metrics/"};
-  for (const char* folder : {"cache", "record", "runner", "suite"}) {
+  for (const char* folder : {"runner", "suite"}) {
     const std::string part = StrCat("experiments/", folder, "/");
     below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");
-    if (folder != std::string("cache")) parts.push_back({part, below, {}});
+    parts.push_back({part, below, {}});
   }
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
   // Overlays draw on images; all other reports use only files of numbers and text.
   parts.push_back({"reports/overlays/",
-                   {"core/base/", "core/geometry/", "core/files/", "reports/"},
+                   {"core/base/", "core/geometry/", "core/files/", "core/record/", "reports/"},
                    {"ceres/.*"}});
   parts.push_back({"reports/",
-                   {"core/base/", "core/geometry/", "core/files/", "reports/"},
+                   {"core/base/", "core/geometry/", "core/files/", "core/record/", "reports/"},
                    {"opencv2/.*", "ceres/.*"}});
   parts.push_back({"tests/", {""}, {}});
   return parts;

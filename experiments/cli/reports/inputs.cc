@@ -16,8 +16,8 @@
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/metrics/trajectory.h"
-#include "experiments/record/job_identity.h"
 #include "experiments/runner/frame_detections.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
 namespace {

@@ -12,14 +12,14 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "core/files/text/number.h"
-#include "experiments/cache/content_hash.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/run.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/clock_offset.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
-#include "experiments/runner/score_files.h"
+#include "experiments/runner/system_run.h"
 #include "experiments/suite/plan_inputs.h"
 
 namespace cvo {

@@ -16,7 +16,7 @@
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/result_file.h"
+#include "experiments/runner/result_file.h"
 #include "reports/overlays/picture_files.h"
 
 namespace cvo {

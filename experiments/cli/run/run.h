@@ -14,7 +14,7 @@
 #include "experiments/datasets/import/import_stereo.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/pose_errors.h"
-#include "experiments/record/run_result.h"
+#include "experiments/runner/run_result.h"
 #include "experiments/runner/score_run.h"
 
 namespace cvo {

@@ -9,11 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
-#include "experiments/record/cluster_tables.h"
-#include "experiments/record/landmark_table.h"
-#include "experiments/record/result_file.h"
-#include "experiments/record/run_result.h"
-#include "experiments/record/truth_file.h"
+#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_result.h"
+#include "experiments/runner/run_tables.h"
 #include "tests/support/collected.h"
 #include "tests/support/estimator_inputs.h"
 

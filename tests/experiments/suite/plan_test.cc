@@ -8,7 +8,7 @@
 
 #include "core/record/metric_catalogue.h"
 #include "core/record/timing.h"
-#include "experiments/cache/content_hash.h"
+#include "experiments/runner/identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/build_plan.h"
 #include "experiments/suite/job_input.h"

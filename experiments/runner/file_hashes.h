@@ -6,14 +6,30 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/base/task_pool.h"
-#include "experiments/cache/cache_folder.h"
-#include "experiments/cache/content_hash.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
+
+// Takes a line for the user about a problem that does not end the run.
+using Notice = std::function<void(const std::string& line)>;
+
+// Returns the maximum size of the front-end cache in bytes: `option` if not empty ("20G"; K, M, G,
+// T are powers of 1000), else CLUSTERVO_CACHE_SIZE, else 20 GB. Throws Error for text that is not a
+// size.
+std::uint64_t CacheLimit(const std::string& option);
+
+// Makes the file the most recently used, which TrimFolder removes last. Fails silently, for example
+// in a folder of another user.
+void MarkUsed(const std::filesystem::path& file);
+
+// Removes files, least recently used first, until the rest is within the limit. Temporaries do not
+// count. Files that cannot be removed stay.
+void TrimFolder(const std::filesystem::path& folder, std::uint64_t limit_bytes);
 
 struct FileHashHooks {
   Notice notice = [](const std::string&) {};

@@ -15,8 +15,8 @@
 #include "core/features/stereo_feature.h"
 #include "core/files/atomic_file.h"
 #include "core/geometry/stereo_camera.h"
-#include "experiments/cache/cache_folder.h"
-#include "experiments/cache/content_hash.h"
+#include "experiments/runner/file_hashes.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cache/front_end_cache.h"
+#include "experiments/runner/front_end_cache.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -19,11 +19,12 @@
 #include "core/files/sha256.h"
 
 namespace cvo {
+
 namespace fs = std::filesystem;
 namespace {
 
 // Must be incremented with any change to the meaning of the bytes. It is part of the key.
-constexpr int kVersion = 4;
+constexpr int kFormat = 4;
 
 static_assert(std::endian::native == std::endian::little,
               "numbers are written as they are in memory");
@@ -147,7 +148,7 @@ std::string FrontEndKey(const FrontEndSettings& settings, const std::vector<Imag
   }
   OrbOptions orb = settings.orb;
   StereoMatchOptions stereo = settings.stereo;
-  Json json = {{"format", kVersion},
+  Json json = {{"format", kFormat},
                {"build", settings.build},
                {"camera", CameraNumbers(settings.camera)},
                {"orb", OptionsToJson(OptionLeaves(orb))},

@@ -1,21 +1,33 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/runner/system_files.h"
+#include "experiments/runner/system_run.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/sha256.h"
 #include "core/files/text/number.h"
+#include "core/files/text_file.h"
+#include "core/interface/frame.h"
+#include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/metrics/trajectory.h"
+#include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/objects/object_scores.h"
 #include "experiments/metrics/pose_errors.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/runner/identity.h"
+#include "experiments/runner/result_file.h"
 
 namespace cvo {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -202,6 +214,173 @@ SystemEstimate ReadSystem(const Sequence& sequence, const SystemFiles& files) {
                               : ReadRows(files.objects, sequence, system);
   estimate.clusters = Clusters(objects, sequence);
   return system;
+}
+
+namespace {
+
+FrameStatus StatusOf(const std::optional<RigidTransform>& pose) {
+  return pose ? FrameStatus::kTracked : FrameStatus::kSkipped;
+}
+
+Json FramesToJson(const SystemRecord& record) {
+  Json frames = Json::array();
+  for (std::size_t k = 0; k < record.estimate.world_from_camera.size(); ++k) {
+    const auto& pose = record.estimate.world_from_camera[k];
+    frames.push_back({{"frame", record.sequence.first_frame + static_cast<int>(k)},
+                      {"timestamp_ns", record.sequence.timestamps_ns[k]},
+                      {"status", ToString(StatusOf(pose))},
+                      {"refined", pose ? PoseToJson(*pose) : Json(nullptr)}});
+  }
+  return frames;
+}
+
+Json CountsToJson(const OptionalPoses& poses) {
+  const auto missing = std::count(poses.begin(), poses.end(), std::nullopt);
+  return {{ToString(FrameStatus::kTracked), static_cast<std::int64_t>(poses.size()) - missing},
+          {ToString(FrameStatus::kSkipped), missing}};
+}
+
+Json ClustersToJson(const SystemRecord& record) {
+  Json clusters = Json::array();
+  for (const ClusterEstimate& cluster : record.estimate.clusters) {
+    const int first = record.sequence.first_frame;
+    clusters.push_back({{"id", cluster.id},
+                        {"category", cluster.category},
+                        {"frames", cluster.frames.size()},
+                        {"tracked", cluster.frames.size()},
+                        {"first_frame", first + cluster.frames.front().frame},
+                        {"last_frame", first + cluster.frames.back().frame}});
+  }
+  return clusters;
+}
+
+Json FilesToJson(const SystemRecord& record) {
+  Json files = {{"name", record.system}, {"camera", record.hashes.camera}};
+  files["objects"] = record.hashes.objects.empty() ? Json(nullptr) : Json(record.hashes.objects);
+  files["object_frames"] = record.object_frames;
+  files["object_frames_left_out"] = record.object_frames_left_out;
+  return files;
+}
+
+}  // namespace
+
+std::string SystemJob(const BuildIdentity& build, const std::string& system,
+                      const SystemHashes& hashes, const std::string& content, std::uint64_t seed) {
+  return JobIdentity({build.identity,
+                      reports::SystemVariant(system),
+                      {{"camera", hashes.camera}, {"objects", hashes.objects}},
+                      content,
+                      "",
+                      GivenToJson({}, {}),
+                      seed});
+}
+
+std::string SystemResultFile(const SystemRecord& record) {
+  reports::RunSummary summary;
+  summary.job = SystemJob(record.build, record.system, record.hashes, record.content, record.seed);
+  summary.status = ToString(RunStatus::kOk);
+  summary.variant = reports::SystemVariant(record.system);
+  summary.system = FilesToJson(record);
+  summary.seed = record.seed;
+  summary.sequence =
+      SequenceOf(record.sequence, record.content, FindImplausible(record.sequence, record.truth));
+  summary.sequence.camera.right_shift_px = record.right_shift_px;
+  summary.given = GivenToJson({}, {});
+  summary.build = record.build;
+  summary.metrics = record.metrics;
+  summary.bodies = record.bodies;
+  return DumpJson(
+      ResultJson(summary, {{"clusters", ClustersToJson(record)},
+                           {"frame_counts", CountsToJson(record.estimate.world_from_camera)},
+                           {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
+                           {"frames", FramesToJson(record)}}));
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Hashes a file, or the names and bytes of the trajectories in a folder.
+std::string HashObjects(const fs::path& objects) {
+  if (objects.empty()) return "";
+  if (!fs::is_directory(objects)) return Sha256Hex(ReadFileBytes(objects));
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(objects)) {
+    if (entry.path().extension() == ".tum") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  Json hashes = Json::array();
+  for (const fs::path& file : files) {
+    hashes.push_back({file.filename().string(), Sha256Hex(ReadFileBytes(file))});
+  }
+  return Sha256Hex(DumpJson(hashes));
+}
+
+SystemHashes HashesOf(const SystemFiles& files) {
+  return {Sha256Hex(ReadFileBytes(files.camera)), HashObjects(files.objects)};
+}
+
+void Score(const SystemRequest& request, const ObjectEstimate& estimate, const ObjectTruth* truth,
+           SystemOutcome& outcome) {
+  const Sequence& sequence = request.sequence;
+  outcome.metrics =
+      EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
+                     EnumOf<reports::TruthSource>(sequence.groundtruth));
+  if (truth != nullptr) {
+    ObjectScores scores = ScoreObjects(*truth, estimate);
+    for (Metric& metric : ObjectMetrics(*truth, scores)) {
+      outcome.metrics.push_back(std::move(metric));
+    }
+    outcome.bodies = std::move(scores.bodies);
+  }
+  StatePoses(reports::PoseTime::kRefined, request.right_shift_px, outcome.metrics);
+}
+
+std::optional<reports::RunBodies> BodiesOf(const std::vector<BodyScore>& bodies) {
+  if (bodies.empty()) return std::nullopt;
+  return reports::RunBodies{{bodies.begin(), bodies.end()}, {}};
+}
+
+}  // namespace
+
+std::string IdentifySystem(const SystemRequest& request) {
+  return SystemJob(ThisBuild(), request.files.name, HashesOf(request.files), request.content,
+                   request.seed);
+}
+
+SystemOutcome ScoreSystem(const SystemRequest& request) {
+  const SystemEstimate system = ReadSystem(request.sequence, request.files);
+  const std::unique_ptr<BodyTruthReader> reader =
+      request.files.objects.empty() ? nullptr : ReadBodyTruth(request.sequence);
+  const ObjectTruth* truth = reader ? &reader->objects() : nullptr;
+  SystemOutcome outcome;
+  Score(request, system.objects, truth, outcome);
+  const SystemHashes hashes = HashesOf(request.files);
+  outcome.job = SystemJob(ThisBuild(), request.files.name, hashes, request.content, request.seed);
+  outcome.frames = static_cast<int>(request.sequence.images.size());
+  outcome.frames_without_camera = system.frames_without_camera;
+  outcome.object_frames = system.object_frames;
+  outcome.object_frames_left_out = system.object_frames_left_out;
+  outcome.result = SystemResultFile({.sequence = request.sequence,
+                                     .build = ThisBuild(),
+                                     .system = request.files.name,
+                                     .hashes = hashes,
+                                     .content = request.content,
+                                     .right_shift_px = request.right_shift_px,
+                                     .seed = request.seed,
+                                     .metrics = outcome.metrics,
+                                     .bodies = BodiesOf(outcome.bodies),
+                                     .truth = truth,
+                                     .estimate = system.objects,
+                                     .object_frames = system.object_frames,
+                                     .object_frames_left_out = system.object_frames_left_out});
+  return outcome;
+}
+
+SystemOutcome ScoreSystem(const SystemRequest& request, const fs::path& folder) {
+  SystemOutcome outcome = ScoreSystem(request);
+  WriteFilesAtomically(folder, {{"result.json", outcome.result}});
+  return outcome;
 }
 
 }  // namespace cvo

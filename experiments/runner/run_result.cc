@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/record/run_result.h"
+#include "experiments/runner/run_result.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 
 namespace cvo {
+
 namespace {
 
 std::array<Eigen::Vector3d, 8> CornersInCamera(const ClusterRow& row) {
