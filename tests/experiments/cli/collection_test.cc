@@ -132,7 +132,8 @@ TEST_F(CollectionTest, ReportsErrorsInTheFile) {
 }
 
 TEST(Collections, SuitesAndFiguresOfShippedCollectionsExist) {
-  for (const std::string& name : CollectionNames()) {
+  for (const ShippedSuite& shipped : ShippedCollections()) {
+    const std::string name(shipped.name);
     const std::optional<Collection> collection = FindCollection(name);
     ASSERT_TRUE(collection.has_value());
     EXPECT_EQ(collection->name, name);
