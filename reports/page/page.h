@@ -39,8 +39,7 @@ struct PageScene {
   bool wants_images = false;
   RunDetail detail = {};
   std::vector<PageImage> images = {};
-  std::string no_images = {};      // why there are none
-  std::string images_folder = {};  // folder beside the page with images of all frames; empty: none
+  std::string no_images = {};  // why there are none
 };
 
 // Everything that a page shows. A part that could not be made is empty, and `problems` says why.

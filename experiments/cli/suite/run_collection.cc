@@ -10,13 +10,9 @@
 #include "core/files/text/number.h"
 #include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/pictures/overlay.h"
-#include "experiments/cli/reports/report.h"
-#include "experiments/cli/reports/suite_table.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/stop_signal.h"
+#include "core/record/timing.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/reports/reports.h"
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/suite.h"
 #include "reports/page/page.h"
@@ -88,7 +84,7 @@ class CollectionRun {
     for (const CollectionSection& section : collection_.sections) {
       if (section.suite.empty() || ran_.contains(section.suite)) continue;
       const int code = RunOne(section.suite);
-      if (code == kStopped) return code;
+      if (code == kInterrupted) return code;
       worst = std::max(worst, code);
     }
     WriteFilesAtomically(root_, {{"index.html", Page()}});
@@ -129,7 +125,7 @@ class CollectionRun {
       std::cout << problem << '\n';
     }
     const bool is_timed = LoadSuite(suite).timed_threads > 0;
-    if (code != kStopped && is_timed) AddSpeeds(FolderOf(suite), speeds_);
+    if (code != kInterrupted && is_timed) AddSpeeds(FolderOf(suite), speeds_);
     return code;
   }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+
 #include "tests/reports/results/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
 #include "tests/support/error_message.h"

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/pictures/overlay.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,13 +16,7 @@
 #include "core/files/text_file.h"
 #include "core/record/suite_runs.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/pictures/run_images.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/run/text_table.h"
-#include "experiments/cli/scratch_folder.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/reports/reports.h"
 #include "experiments/datasets/sequence.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/overlay_run.h"
@@ -188,7 +180,7 @@ OverlayWriter::OverlayWriter(const OverlayFlags& flags, const std::vector<std::s
     runs_.push_back(reports::ReadOverlayRun(
         folder, inferred_ ? reports::LandmarkLabel::kInferred : reports::LandmarkLabel::kCluster));
     for (const std::string& line : runs_.back().missing) {
-      std::cerr << "clustervo: drawn " << line << '\n';
+      PrintNotice("drawn " + line);
     }
   }
   CheckSameSequence(runs_, folders);
@@ -199,8 +191,7 @@ OverlayWriter::OverlayWriter(const OverlayFlags& flags, const std::vector<std::s
   images_.emplace(runs_.front(), images_folder);
   for (reports::OverlayRun& run : runs_) {
     if (run.sequence.detections == 0 || AddDetections(images_folder, run)) continue;
-    std::cerr << "clustervo: note: the run's detection file was not found, so no detections are "
-                 "drawn\n";
+    PrintNotice("note: the run's detection file was not found, so no detections are drawn");
   }
   const std::size_t most = runs_.size() > 1 ? 8 : wide() ? 20 : 24;
   for (const std::size_t i : reports::EvenlySpaced(frames_.size(), flags.sheet ? most : 0)) {
@@ -272,13 +263,13 @@ int OverlayWriter::WriteAll() {
   const OutputFolder output = OpenOutput(flags_.output, names, read_);
   {
     const StopSignal stop;
-    Progress progress(frames_.size(), flags_.quiet);
+    Progress progress(flags_.quiet);
     for (std::size_t i = 0; i < frames_.size(); ++i) {
       WriteFrame(frames_[i], output.path());
-      progress.Report(i + 1);
+      progress.Report(i + 1, frames_.size());
       if (!stop.Requested()) continue;
-      std::cerr << "clustervo: stopped after " << i + 1 << " of " << frames_.size() << " frames\n";
-      return kStopped;
+      PrintNotice(StrCat("stopped after ", i + 1, " of ", frames_.size(), " frames"));
+      return kInterrupted;
     }
   }
   Finish(output.path());
@@ -295,45 +286,35 @@ int DrawOverlays(const OverlayFlags& flags) {
 
 namespace {
 
-void AddSuiteFlags(CLI::App& app, const std::shared_ptr<OverlayFlags>& flags) {
-  CLI::Option* runs = app.add_option("RUN", flags->runs,
-                                     "output folder of clustervo run, or DIR/jobs/ID of a suite; "
-                                     "several runs on one sequence are drawn side by side")
-                          ->type_name("");
+void AddSuiteFlags(CLI::App& app, OverlayFlags& flags) {
+  const FlagAdder add{app};
+  CLI::Option* runs = add("RUN", flags.runs, "",
+                          "output folder of clustervo run, or DIR/jobs/ID of a suite; "
+                          "several runs on one sequence are drawn side by side");
   CLI::Option* suite =
-      app.add_option("--suite", flags->suite, "output folder of a suite, to use instead of RUN")
-          ->type_name("DIR");
+      add("--suite", flags.suite, "DIR", "output folder of a suite, to use instead of RUN");
   suite->excludes(runs);
-  app.add_option("--sequence", flags->sequence,
-                 "folder of the images, if they have moved since the run; with --suite: name of a "
-                 "sequence of the suite")
-      ->type_name("FOLDER|NAME");
-  app.add_option("--variant", flags->variants,
-                 "with --suite: variant to draw; several are drawn side by side")
-      ->type_name("A,B,...")
+  add("--sequence", flags.sequence, "FOLDER|NAME",
+      "folder of the images, if they have moved since the run; with --suite: name of a "
+      "sequence of the suite");
+  add("--variant", flags.variants, "A,B,...",
+      "with --suite: variant to draw; several are drawn side by side")
       ->capture_default_str()
       ->needs(suite);
-  app.add_option_function<std::string>(
-         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
-         "with --suite: seed to draw; default: the first of the suite")
-      ->type_name("N")
+  AddSeed(app, flags.seed, "with --suite: seed to draw; default: the first of the suite")
       ->needs(suite);
 }
 
 void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
-  const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app.add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{app};
   add("-o,--output", flags.output, "DIR", "output folder for DIR/000123.png etc.")->required();
   CLI::Option* frame = add("--frame", flags.frame, "N", "draw only this frame");
   frame->check(CLI::NonNegativeNumber.description(""));
   add("--frames", flags.frames, "A:B", "frames A to B-1 as numbered in the sequence; default: all")
       ->excludes(frame);
-  add("--every", flags.every, "K", "draw every K-th frame; default: 1")
-      ->check(CLI::Range(1, 1000000).description(""));
+  add("--every", flags.every, "K", "draw every K-th frame; default: 1")->check(Within(1, 1000000));
   add("--scale", flags.scale, "S", "scale of the drawing relative to the image; default: 1")
-      ->check(CLI::Range(0.1, 4.0).description(""))
-      ->check(FiniteProblem);
+      ->check(Within(0.1, 4.0));
   add("--labels", flags.labels, "NAME",
       "label that colours the landmarks: cluster (the cluster they belong to) or inferred (the "
       "label inferred from the energy terms in the frame, drawn without 3D boxes); default: "
@@ -354,7 +335,7 @@ Command AddOverlayCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "overlay", "Draw the results of a run on the left images: landmarks, boxes, ids, motion");
   const auto flags = std::make_shared<OverlayFlags>();
-  AddSuiteFlags(*app, flags);
+  AddSuiteFlags(*app, *flags);
   AddDrawingFlags(*app, *flags);
   app->footer(
       "Landmarks are drawn if the run has landmarks.csv (clustervo run --landmarks; in a suite, "

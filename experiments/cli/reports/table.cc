@@ -1,23 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/suite_table.h"
-
+// clustervo experiment table, and the figures of a suite for clustervo plot.
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 
+#include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "core/files/json/options_json.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/reports/reports.h"
+#include "experiments/suite/engine.h"
 #include "reports/runs/suite_times.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/table_texts.h"
@@ -98,12 +99,11 @@ int OutputTableOf(const TableFlags& flags) {
 }  // namespace
 
 void TableFormat::AddTo(CLI::App& app) {
-  app.add_option("--format", format, "output format of the table")
-      ->type_name("NAME")
+  const FlagAdder add{app};
+  add("--format", format, "NAME", "output format of the table")
       ->check(OneOf({"terminal", "markdown", "csv", "latex"}))
       ->capture_default_str();
-  app.add_option("-o,--output", output, "write the table to this file instead of printing it")
-      ->type_name("FILE");
+  add("-o,--output", output, "FILE", "write the table to this file instead of printing it");
   app.add_flag("--long", longer, "csv: one record per cell, with all its fields");
 }
 
@@ -133,16 +133,14 @@ std::string DefaultOptions() {
 Command AddExperimentTableCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
       "table", "Print and write the table of a suite's results so far, with confidence intervals");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<TableFlags>();
-  CLI::Option* folder =
-      app->add_option("DIR", flags->folder, "output folder of the suite")->type_name("");
-  app->add_option("--from", flags->from, "table.json to read instead of DIR, without the results")
-      ->type_name("FILE")
+  CLI::Option* folder = add("DIR", flags->folder, "", "output folder of the suite");
+  add("--from", flags->from, "FILE", "table.json to read instead of DIR, without the results")
       ->excludes(folder);
-  app->add_option("--reference", flags->reference,
-                  "row that the others are compared with, a variant or key=value; default: the "
-                  "suite's; with it, DIR is not written to")
-      ->type_name("ROW")
+  add("--reference", flags->reference, "ROW",
+      "row that the others are compared with, a variant or key=value; default: the "
+      "suite's; with it, DIR is not written to")
       ->needs(folder);
   flags->format.AddTo(*app);
   app->add_flag("--times", flags->times,
@@ -166,6 +164,81 @@ Command AddExperimentTableCommand(CLI::App& experiment) {
                 "does not apply with --times");
   });
   return {app, [flags] { return OutputTableOf(*flags); }};
+}
+
+namespace {
+
+// The date in the PDF is fixed, so that the same figure gives the same bytes.
+std::string ToPdf(const std::string& svg) {
+  constexpr int kNotFound = 127;
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / "figure.svg").string();
+  WriteFileBytes(file, svg);
+  const Captured made =
+      Capture({"/usr/bin/env", "SOURCE_DATE_EPOCH=946684800", "rsvg-convert", "-f", "pdf", file},
+              [](const Captured&) { return false; });
+  if (made.exit_code == kNotFound) {
+    ThrowError("pdf", "no rsvg-convert in PATH", "it (Debian: apt install librsvg2-bin), or svg");
+  }
+  if (made.exit_code != 0 || !made.out.starts_with("%PDF-")) {
+    ThrowError("rsvg-convert", StrCat("exit code ", made.exit_code, ", ", Quoted(made.err)),
+               "a PDF");
+  }
+  return made.out;
+}
+
+void KeepOnly(const std::string& name, reports::SuiteFigures& drawn) {
+  std::vector<std::string> names;
+  for (const reports::Figure& figure : drawn.figures) names.push_back(figure.name);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    ThrowError("--only", StrCat("\"", name, "\"", DidYouMean(name, names)),
+               "one of: " + Joined(names, ", "));
+  }
+  std::erase_if(drawn.figures, [&](const auto& figure) { return figure.name != name; });
+  drawn.not_drawn.clear();
+}
+
+}  // namespace
+
+void AddChartStyle(CLI::App& app, reports::ChartStyle& style) {
+  const FlagAdder add{app};
+  add("--width", style.width_mm, "MM", "width of a full figure, in mm")
+      ->check(Within(60.0, 1000.0))
+      ->capture_default_str();
+  add("--font", style.font, "NAMES", "font families, in order of preference")
+      ->capture_default_str();
+  add("--font-size", style.font_size_pt, "PT", "size of the font, in pt")
+      ->check(Within(4.0, 40.0))
+      ->capture_default_str();
+}
+
+std::string FigureFile(const reports::Figure& figure, const reports::ChartStyle& style,
+                       const std::string& format) {
+  reports::Chart chart = figure.chart;
+  chart.title = figure.title;
+  chart.caption = figure.caption;
+  const std::string svg = reports::ChartSvg(chart, style);
+  return format == "pdf" ? ToPdf(svg) : svg;
+}
+
+int WriteFigures(const SuiteFigureFlags& flags) {
+  const reports::Table table =
+      reports::MakeTable(flags.folder, reports::ShippedReference(), DefaultOptions());
+  reports::SuiteFigures drawn =
+      reports::MakeSuiteFigures(reports::ReadSuiteData(flags.folder, table));
+  if (!flags.only.empty()) KeepOnly(flags.only, drawn);
+  const OutputFolder out = OpenOutput(flags.output, {}, {flags.folder});
+  std::vector<NamedContent> files;
+  for (const reports::Figure& figure : drawn.figures) {
+    files.push_back(
+        {figure.name + "." + flags.format, FigureFile(figure, flags.style, flags.format)});
+  }
+  if (!files.empty()) WriteFilesAtomically(out.path(), files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::cout << (out.path() / files[i].name).string() << ": " << drawn.figures[i].title << '\n';
+  }
+  for (const std::string& reason : drawn.not_drawn) std::cout << "not drawn: " << reason << '\n';
+  return 0;
 }
 
 }  // namespace cvo

@@ -12,11 +12,7 @@
 #include "core/base/lists.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/pictures/figures.h"
-#include "experiments/cli/pictures/plot_tracks.h"
-#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/reports/reports.h"
 #include "experiments/metrics/trajectory.h"
 #include "reports/figures/figure_style.h"
 
@@ -328,44 +324,35 @@ Command AddPlotCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "plot",
       "Plot trajectories from above and over time, with their errors, or the figures of a suite");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<PlotFlags>();
-  app->add_option(
-         "FILE|DIR", flags->inputs,
-         "trajectories in the format of TUM, KITTI or EuRoC and output folders of runs; or "
-         "the output folder of one suite")
-      ->type_name("")
+  add("FILE|DIR", flags->inputs, "",
+      "trajectories in the format of TUM, KITTI or EuRoC and output folders of runs; or "
+      "the output folder of one suite")
       ->required();
-  app->add_option("--groundtruth", flags->groundtruth,
-                  "trajectory to compare with; default: the ground truth of the first run that has "
-                  "one, otherwise the first trajectory")
-      ->type_name("FILE");
-  app->add_option("--align", flags->align,
-                  "how trajectories are aligned with it: none, se3, sim3 (with scale), origin (at "
-                  "the first common pose) or yaw (about the vertical, and translation); default: "
-                  "se3 with ground truth, otherwise none")
-      ->type_name("NAME")
+  add("--groundtruth", flags->groundtruth, "FILE",
+      "trajectory to compare with; default: the ground truth of the first run that has "
+      "one, otherwise the first trajectory");
+  add("--align", flags->align, "NAME",
+      "how trajectories are aligned with it: none, se3, sim3 (with scale), origin (at "
+      "the first common pose) or yaw (about the vertical, and translation); default: "
+      "se3 with ground truth, otherwise none")
       ->check(OneOf({"none", "se3", "sim3", "origin", "yaw"}));
-  app->add_option("--up", flags->up,
-                  "vertical axis: y (down, as cameras have it) or z (up); default: y for runs and "
-                  "KITTI files, otherwise the axis with the smaller extent")
-      ->type_name("AXIS")
+  add("--up", flags->up, "AXIS",
+      "vertical axis: y (down, as cameras have it) or z (up); default: y for runs and "
+      "KITTI files, otherwise the axis with the smaller extent")
       ->check(OneOf({"y", "z"}));
-  app->add_option("--max-time-difference", flags->max_time_difference_s,
-                  "maximum time difference of matching poses, in seconds")
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 1e6).description(""))
-      ->check(FiniteProblem)
+  add("--max-time-difference", flags->max_time_difference_s, "S",
+      "maximum time difference of matching poses, in seconds")
+      ->check(Within(0.0, 1e6))
       ->capture_default_str();
-  app->add_option("-o,--output", flags->suite.output,
-                  "output file, .svg or .pdf (made by rsvg-convert); of a suite: output folder")
-      ->type_name("FILE|FOLDER")
+  add("-o,--output", flags->suite.output, "FILE|FOLDER",
+      "output file, .svg or .pdf (made by rsvg-convert); of a suite: output folder")
       ->required();
-  app->add_option("--format", flags->suite.format, "of a suite: svg or pdf; default: svg")
-      ->type_name("FORMAT")
+  add("--format", flags->suite.format, "FORMAT", "of a suite: svg or pdf; default: svg")
       ->check(OneOf({"svg", "pdf"}));
-  app->add_option("--only", flags->suite.only,
-                  "of a suite: write only this figure, given by its file name")
-      ->type_name("ID");
+  add("--only", flags->suite.only, "ID",
+      "of a suite: write only this figure, given by its file name");
   AddChartStyle(*app, flags->suite.style);
   app->footer(
       "Title and caption state alignment and pairing. KITTI files have no timestamps: their poses "

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `clustervo synth render` and `preview` as processes, on the scene made for tests.
+// `clustervo synth` as processes: render and preview, on the scene made for tests, and check.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,21 +8,26 @@
 
 #include "core/files/json/json.h"
 #include "core/files/sha256.h"
+#include "core/files/text_file.h"
 #include "experiments/datasets/formats/scene_truth.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/trajectory.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/support/temp_folder.h"
+#include "tests/experiments/datasets/scene_check/rays.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
+using test::ExpectError;
 using test::ProcessResult;
 using test::RunProgram;
+using test::With;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr int kFrames = 6;
 
@@ -35,24 +40,20 @@ const std::map<std::string, std::string>& GoldenHashes() {
   return hashes;
 }
 
-class CliSynthRender : public testing::Test {
+class CliSynthRender : public test::CommandTest {
  protected:
-  fs::path out(const std::string& name) const { return folder_.path() / name; }
+  fs::path out(const std::string& name) const { return Path(name); }
   // Renders into "tiny". Skips the test if this build cannot render.
-  void RenderTiny(const std::vector<std::string>& more = {}) const {
+  void RenderTiny(const Arguments& more = {}) const {
     const ProcessResult render = Render("tiny", more);
     if (render.err.find("no OSMesa") != std::string::npos) GTEST_SKIP() << render.err;
     ASSERT_EQ(render.exit_code, 0) << render.err;
   }
   // Renders into the cache of this name; a new name renders everything again.
-  test::ProcessSetup Setup(const std::string& cache = "cache") const {
-    return {.environment = {"CLUSTERVO_CACHE=" + out(cache).string()}};
-  }
-  ProcessResult Render(const std::string& name, const std::vector<std::string>& more,
-                       const std::optional<test::ProcessSetup>& setup = {}) const {
-    std::vector<std::string> arguments = {"synth", "render", "tiny", "-o", out(name).string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return RunProgram(arguments, setup.value_or(Setup()));
+  ProcessResult Render(const std::string& name, const Arguments& more,
+                       const std::string& cache = "cache", test::ProcessSetup setup = {}) const {
+    setup.environment = {"CLUSTERVO_CACHE=" + Path(cache)};
+    return RunProgram(With({"synth", "render", "tiny", "-o", Path(name)}, more), setup);
   }
   // Returns the SHA-256 of every file of a rendered scene, by name.
   std::map<std::string, std::string> HashesOf(const std::string& name) const {
@@ -63,8 +64,6 @@ class CliSynthRender : public testing::Test {
     }
     return hashes;
   }
-
-  test::TempFolder folder_;
 };
 
 TEST_F(CliSynthRender, PassesItsCheck) {
@@ -120,22 +119,11 @@ TEST_F(CliSynthRender, IsReadAsAKittiSequence) {
   }
 }
 
-TEST_F(CliSynthRender, TheEstimatorRunsOnIt) {
-  RenderTiny();
-  if (IsSkipped() || HasFatalFailure()) return;
-  const ProcessResult run =
-      RunProgram({"run", out("tiny").string(), "-o", out("result").string(), "-q"});
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, AllOf(HasSubstr("tiny: 6 frames"), HasSubstr("camera_ate")));
-}
-
 TEST_F(CliSynthRender, SameBytesForAnyNumberOfThreads) {
   RenderTiny({"--frames", "0:2"});
   if (IsSkipped() || HasFatalFailure()) return;
-  ASSERT_EQ(Render("again", {"--frames", "0:2", "--threads", "1"}, Setup("other cache")).exit_code,
-            0);
-  ASSERT_EQ(Render("three", {"--frames", "0:2", "--threads", "3"}, Setup("third cache")).exit_code,
-            0);
+  ASSERT_EQ(Render("again", {"--frames", "0:2", "--threads", "1"}, "other cache").exit_code, 0);
+  ASSERT_EQ(Render("three", {"--frames", "0:2", "--threads", "3"}, "third cache").exit_code, 0);
   EXPECT_EQ(test::ReadFile(out("again") / "manifest.json"),
             test::ReadFile(out("tiny") / "manifest.json"));
   EXPECT_EQ(HashesOf("three"), HashesOf("tiny"));
@@ -184,9 +172,8 @@ TEST_F(CliSynthRender, RendersARangeOfFrames) {
 TEST_F(CliSynthRender, AnInterruptLeavesNothing) {
   RenderTiny({"--frames", "0:1"});
   if (IsSkipped() || HasFatalFailure()) return;
-  test::ProcessSetup setup = Setup("empty cache");
-  setup.interrupt_at = " 16 %";
-  const ProcessResult render = Render("stopped", {"--threads", "1"}, setup);
+  const ProcessResult render =
+      Render("stopped", {"--threads", "1"}, "empty cache", {.interrupt_at = " 16 %"});
   EXPECT_EQ(render.exit_code, 130);
   EXPECT_THAT(render.err, EndsWith("clustervo: stopped, nothing was written\n"));
   EXPECT_FALSE(fs::exists(out("stopped")));
@@ -198,9 +185,7 @@ TEST_F(CliSynthRender, AnInterruptLeavesNothing) {
 TEST_F(CliSynthRender, AFullDiskLeavesNothing) {
   RenderTiny({"--frames", "0:1"});
   if (IsSkipped() || HasFatalFailure()) return;
-  test::ProcessSetup setup = Setup("full cache");
-  setup.file_size_limit = 4096;
-  const ProcessResult render = Render("full", {"-q"}, setup);
+  const ProcessResult render = Render("full", {"-q"}, "full cache", {.file_size_limit = 4096});
   EXPECT_EQ(render.exit_code, 1);
   EXPECT_EQ(test::LineCount(render.err), 1U) << render.err;
   EXPECT_FALSE(fs::exists(out("full")));
@@ -208,9 +193,7 @@ TEST_F(CliSynthRender, AFullDiskLeavesNothing) {
 
 TEST_F(CliSynthRender, NeverReplacesWhatItDidNotWrite) {
   folder_.Write("mine/notes.txt", "mine");
-  const ProcessResult render = Render("mine", {"-q"});
-  EXPECT_EQ(render.exit_code, 2);
-  EXPECT_THAT(render.err, HasSubstr("other files in it"));
+  ExpectError(Render("mine", {"-q"}), "other files in it", 2);
   EXPECT_TRUE(fs::exists(out("mine") / "notes.txt"));
 }
 
@@ -239,17 +222,66 @@ TEST_F(CliSynthRender, BadScenesGiveOneLine) {
     EXPECT_FALSE(fs::exists(out("bad"))) << assignment;
   }
   EXPECT_THAT(Render("bad", {"--detector", "best"}).err, HasSubstr("oracle, good or poor"));
-  EXPECT_THAT(RunProgram({"synth", "render", "tyni", "-o", out("bad").string()}, Setup()).err,
-              HasSubstr("tiny"));
+  EXPECT_THAT(Run({"synth", "render", "tyni", "-o", Path("bad")}).err, HasSubstr("tiny"));
 }
 
 TEST_F(CliSynthRender, PreviewDrawsASheet) {
   RenderTiny({"--frames", "0:1"});
   if (IsSkipped() || HasFatalFailure()) return;
-  const ProcessResult preview =
-      RunProgram({"synth", "preview", "tiny", "-o", out("sheet.png").string(), "-q"}, Setup());
+  const ProcessResult preview = Run({"synth", "preview", "tiny", "-o", Path("sheet.png"), "-q"});
   EXPECT_EQ(preview.exit_code, 0) << preview.err;
   EXPECT_GT(fs::file_size(out("sheet.png")), 100'000U);
+}
+
+TEST(CliSynth, ListsScenesAndKnobs) {
+  const ProcessResult list = RunProgram({"list", "scenes"});
+  EXPECT_EQ(list.exit_code, 0) << list.err;
+  EXPECT_THAT(list.out, AllOf(HasSubstr("movers"), HasSubstr("tiny"), HasSubstr("640x480")));
+  EXPECT_THAT(RunProgram({"list", "scenes", "room"}).out, HasSubstr("speed_mps"));
+}
+
+TEST(CliSynth, RefusesWrongSeedsAndKnobs) {
+  const test::TempFolder folder;
+  const auto render = [&](const std::string& scene) {
+    return RunProgram({"synth", "render", scene, "-o", (folder.path() / "set").string()});
+  };
+  for (const char* seed : {"-1", "4294967296", "x"}) {
+    ExpectError(render(std::string("room@") + seed), "an integer from 0 to 4294967295", 2);
+  }
+  ExpectError(render("room@17,mover=2"), "no knob \"mover\"", 2);
+  EXPECT_FALSE(fs::exists(folder.path() / "set"));
+}
+
+class CliSynthCheck : public test::CommandTest {
+ protected:
+  CliSynthCheck() { test::WriteRayScene(rays()); }
+  fs::path rays() const { return Path("rays"); }
+  fs::path json() const { return Path("check.json"); }
+};
+
+TEST_F(CliSynthCheck, PrintsAndWritesItsResults) {
+  const ProcessResult run =
+      RunProgram({"synth", "check", rays().string(), "--json", json().string(), "--threads", "2"});
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_THAT(run.out,
+              AllOf(HasSubstr("disparity_offset"), HasSubstr("passed"), Not(HasSubstr("FAILED"))));
+  const Json report = ReadJson(json());
+  EXPECT_EQ(report["passed"], true);
+  EXPECT_EQ(report["frames"], test::RayScene::kFrames);
+}
+
+TEST_F(CliSynthCheck, FailsOnDisagreement) {
+  WriteFileBytes(rays() / "poses_right.txt", ReadFileBytes(rays() / "poses.txt"));
+  const ProcessResult run =
+      RunProgram({"synth", "check", rays().string(), "--json", json().string()});
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_THAT(run.out, AllOf(HasSubstr("poses_right.txt"), HasSubstr("FAILED")));
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(ReadJson(json())["passed"], false);
+}
+
+TEST_F(CliSynthCheck, AFolderWithoutASceneIsBadInput) {
+  ExpectError(RunProgram({"synth", "check", folder_.path().string()}), "no objects.csv", 1);
 }
 
 }  // namespace

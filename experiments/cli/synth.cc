@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+// clustervo synth: render, preview and check synthetic scenes.
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -7,11 +9,7 @@
 #include "core/base/error.h"
 #include "core/files/images/image_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/datasets/scene_check/check_scene.h"
 #include "experiments/datasets/sequence.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
@@ -31,16 +29,14 @@ struct SceneFlags {
   bool quiet = false;
 
   void AddTo(CLI::App& app, const char* output_kind, const char* output_meaning) {
-    app.add_option("SCENE", scene,
-                   "a shipped scene (clustervo list scenes), a JSON file or a seed of a family, "
-                   "such as room@17")
-        ->type_name("")
+    const FlagAdder add{app};
+    add("SCENE", scene, "",
+        "a shipped scene (clustervo list scenes), a JSON file or a seed of a family, "
+        "such as room@17")
         ->required();
-    app.add_option("-o,--output", output, output_meaning)->type_name(output_kind)->required();
-    app.add_option("--frames", frames, "frames A to B-1 of the scene; default: all")
-        ->type_name("A:B");
-    app.add_option("--set", set, "set one value of the scene, such as sensor.read_noise=0")
-        ->type_name("KEY=VALUE")
+    add("-o,--output", output, output_kind, output_meaning)->required();
+    add("--frames", frames, "A:B", "frames A to B-1 of the scene; default: all");
+    add("--set", set, "KEY=VALUE", "set one value of the scene, such as sensor.read_noise=0")
         ->allow_extra_args(false);
     AddThreads(app, threads);
     AddQuiet(app, quiet);
@@ -55,35 +51,6 @@ struct SceneFlags {
   }
 };
 
-// Shows stages one after the other, each with a bar of its own.
-class RenderProgress {
- public:
-  explicit RenderProgress(bool quiet) : quiet_(quiet) {}
-
-  void Report(int done, int total, const std::string& stage) {
-    if (stage != stage_) {
-      stage_ = stage;
-      progress_.reset();
-      if (!quiet_) std::cerr << stage << '\n';
-      progress_.emplace(static_cast<std::size_t>(total), quiet_, last_);
-    }
-    progress_->Report(static_cast<std::size_t>(done));
-    last_ = Progress::Clock::now();
-  }
-  // Prints one line between the bars.
-  void Note(const std::string& line) {
-    stage_.clear();
-    progress_.reset();
-    std::cerr << line << '\n';
-  }
-
- private:
-  bool quiet_;
-  std::string stage_;
-  Progress::Clock::time_point last_ = Progress::Clock::now();  // last report, or the start
-  std::optional<Progress> progress_;
-};
-
 struct RenderFlags {
   SceneFlags scene;
   std::optional<std::uint64_t> seed;
@@ -95,10 +62,10 @@ struct RenderFlags {
 template <typename Work>
 int RunStoppable(bool quiet, const Work& work) {
   const StopSignal stop;
-  RenderProgress progress(quiet);
+  Progress progress(quiet);
   synth::WorkHooks hooks;
   hooks.progress = [&](int done, int total, const std::string& stage) {
-    progress.Report(done, total, stage);
+    progress.Report(static_cast<std::size_t>(done), static_cast<std::size_t>(total), stage);
   };
   hooks.stop = [&] { return stop.Requested(); };
   hooks.notice = [&](const std::string& line) { progress.Note(line); };
@@ -107,7 +74,7 @@ int RunStoppable(bool quiet, const Work& work) {
     return 0;
   } catch (const synth::Stopped&) {
     progress.Note("clustervo: stopped, nothing was written");
-    return kStopped;
+    return kInterrupted;
   }
 }
 
@@ -154,21 +121,16 @@ int Preview(const SceneFlags& flags) {
   return code;
 }
 
-}  // namespace
-
-Command AddSynthRenderCommand(CLI::App& synth) {
+Command AddRenderCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand("render", "Render a scene as a KITTI odometry folder");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<RenderFlags>();
   flags->scene.AddTo(
       *app, "DIR",
       "output folder; replaced if it exists and contains only files rendered by this program");
-  app->add_option_function<std::string>(
-         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
-         "seed of sensor noise and detector errors; default: the scene's")
-      ->type_name("N");
-  app->add_option("--detector", flags->detectors,
-                  "detector level: oracle, good or poor; can be repeated; default: all")
-      ->type_name("LEVEL")
+  AddSeed(*app, flags->seed, "seed of sensor noise and detector errors; default: the scene's");
+  add("--detector", flags->detectors, "LEVEL",
+      "detector level: oracle, good or poor; can be repeated; default: all")
       ->allow_extra_args(false);
   app->add_flag("--flow", flags->flow,
                 "also write optical flow: flow_0/%06d.png in KITTI's encoding");
@@ -184,13 +146,75 @@ Command AddSynthRenderCommand(CLI::App& synth) {
   return {app, [flags] { return Render(*flags); }};
 }
 
-Command AddSynthPreviewCommand(CLI::App& synth) {
+Command AddPreviewCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand(
       "preview", "Draw a contact sheet of a scene: masks, boxes and a map of all paths");
   const auto flags = std::make_shared<SceneFlags>();
   flags->AddTo(*app, "FILE", "PNG file to write");
   app->footer("Example: clustervo synth preview indoor_1 -o sheet.png");
   return {app, [flags] { return Preview(*flags); }};
+}
+
+constexpr int kDisagreement = 1;
+
+struct SceneCheckFlags {
+  std::string folder;
+  std::string json;
+  int threads = 1;
+};
+
+std::string Limit(const SceneCheck& check) {
+  return (check.bound == Bound::kAtMost ? "<= " : ">= ") + ReadableNumber(check.limit);
+}
+
+void Print(const SceneCheckReport& report) {
+  TextTable table({"check", "figure", "unit", "limit", "", "worst"});
+  for (const SceneCheck& check : report.checks) {
+    table.Add({check.name, std::isfinite(check.figure) ? ReadableNumber(check.figure) : "-",
+               check.unit, Limit(check), check.Passed() ? "ok" : "FAILED", check.where});
+  }
+  table.Print(std::cout);
+  std::cout << '\n'
+            << report.folder << ": " << report.frames << " frames, the images of "
+            << report.image_frames << " compared: " << (report.Passed() ? "passed" : "FAILED")
+            << '\n';
+}
+
+int Check(const SceneCheckFlags& flags) {
+  if (!flags.json.empty()) CheckOutputFile(flags.json, {flags.folder});
+  const SceneCheckReport report = CheckScene(flags.folder, flags.threads);
+  Print(report);
+  if (!flags.json.empty()) {
+    WriteOutputFile(flags.json, DumpJson(SceneCheckJson(report)), {flags.folder});
+  }
+  return report.Passed() ? 0 : kDisagreement;
+}
+
+Command AddSceneCheckCommand(CLI::App& synth) {
+  CLI::App* app = synth.add_subcommand(
+      "check", "Check that a rendered sequence's images, depth, masks and poses are consistent");
+  const FlagAdder add{*app};
+  const auto flags = std::make_shared<SceneCheckFlags>();
+  add("DIR", flags->folder, "", "folder of a rendered sequence")->required();
+  add("--json", flags->json, "FILE", "also write the results to this file");
+  AddThreads(*app, flags->threads);
+  app->footer(
+      "Only the folder's files are read. Text files and masks of all frames are checked, and "
+      "the\nimages of at most 40 frames. Exit code 1 if a value exceeds its limit.\n"
+      "Example: clustervo synth check indoor_1 --json check.json");
+  return {app, [flags] { return Check(*flags); }};
+}
+
+}  // namespace
+
+Command AddSynthCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "synth", "Render, preview and check synthetic stereo sequences with exact ground truth");
+  app->footer(
+      "Start with: clustervo synth render indoor_1 -o indoor_1, then clustervo synth check "
+      "indoor_1\n"
+      "and clustervo run indoor_1 -o results/indoor_1.");
+  return Group(*app, {AddRenderCommand(*app), AddPreviewCommand(*app), AddSceneCheckCommand(*app)});
 }
 
 }  // namespace cvo
