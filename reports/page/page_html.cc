@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/sha256.h"
+#include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 #include "core/record/metric_catalogue.h"
 #include "reports/figures/figure_style.h"
@@ -69,8 +70,10 @@ std::string FigureHtml(const Figure& figure) {
   style.css = false;
   return StrCat("<figure class=\"figure\" id=\"figure-", Escaped(figure.name), "\">\n<figcaption>",
                 Element("strong", figure.title.substr(0, end)), Escaped(figure.title.substr(end)),
-                Element("p", figure.caption), "</figcaption>\n<div class=\"scroll chart\">",
-                ChartSvg(figure.chart, style), "</div>\n</figure>\n");
+                Element("p", figure.caption),
+                "</figcaption>\n<div class=\"scroll chart\" style=\"--part:",
+                FormatGeneral(figure.chart.width, 4), "\">", ChartSvg(figure.chart, style),
+                "</div>\n</figure>\n");
 }
 
 std::string FiguresSection(const PageContent& content) {

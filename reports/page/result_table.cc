@@ -4,7 +4,6 @@
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
-#include "reports/chart/chart_layout.h"
 #include "reports/page/page.h"
 #include "reports/tables/table_texts.h"
 
