@@ -10,7 +10,6 @@
 #include "core/files/text/number.h"
 #include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "core/record/timing.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
 #include "experiments/cli/suite/run_suite.h"
