@@ -105,10 +105,6 @@ TEST(Concepts, AreNeitherShortNorAHeaderOfOneFile) {
               ElementsAre("core/a.cc:1: 59 lines, at least 60"));
 }
 
-std::vector<std::string> Text(const std::string& path, const std::string& line) {
-  return CheckForbiddenText({path, "\n" + line + "\n"});
-}
-
 // Two flags are in two literals, or the rule would match this file.
 TEST(ForbiddenText, IsFoundWhereARuleApplies) {
   struct Line {
