@@ -18,7 +18,6 @@
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/trajectory.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/objects/object_scores.h"
 #include "experiments/metrics/pose_errors.h"

@@ -176,7 +176,7 @@ TEST_F(CliPlot, DrawingsAreReproducible) {
   ASSERT_EQ(Plot(arguments).exit_code, 0);
   const std::string svg = test::ReadFile(out());
   EXPECT_THAT(svg, AllOf(StartsWith("<svg"), HasSubstr("Trajectories against a"),
-                         HasSubstr("distance (m)"), HasSubstr("b&lt;i&gt;")));
+                         HasSubstr(">distance"), HasSubstr("b&lt;i&gt;")));
   ASSERT_EQ(Plot(arguments).exit_code, 0);
   EXPECT_EQ(test::ReadFile(out()), svg);
 }

@@ -141,7 +141,7 @@ TEST(CliReport, ShowsRunsSideBySide) {
   const std::string out = (folder.path() / "page").string();
   const ProcessResult run = RunProgram({"report", runs[0], runs[1], "-o", out});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(Page(out), AllOf(HasSubstr("2 of 2 runs are complete"), HasSubstr("Runs on ")));
+  EXPECT_THAT(Page(out), AllOf(HasSubstr("2 of 2 runs."), HasSubstr("Runs on ")));
   ExpectError(RunProgram({"report", runs[0], runs[0], "-o", out}), "the same run twice");
   ExpectError(RunProgram({"report", runs[0], out, "-o", out}), "found no result.json");
   EXPECT_EQ(RunProgram({"report", runs[0], runs[1]}).exit_code, 2);

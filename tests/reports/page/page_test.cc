@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-
 #include "tests/reports/results/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
 #include "tests/support/error_message.h"
@@ -150,7 +149,7 @@ TEST(Page, AMetricThatSomeRunsLackIsReported) {
   SuiteResults suite;
   suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125})})));
   suite.Add(Result("b"));
-  EXPECT_THAT(PageOf(suite), HasSubstr("object ATE: no value in the run"));
+  EXPECT_THAT(PageOf(suite), HasSubstr("object ATE, within 10 cm: no value in the run"));
 }
 
 TEST(Page, ShowsTheOriginOfAResult) {

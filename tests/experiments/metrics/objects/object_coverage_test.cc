@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-
 #include "tests/experiments/metrics/objects/object_world.h"
 
 namespace cvo::object_coverage_test {
