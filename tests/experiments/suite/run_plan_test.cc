@@ -175,6 +175,16 @@ TEST_F(RunPlanTest, AJobWithoutASequenceDoesNotRun) {
   EXPECT_EQ(Run(plan).missing, 1U);
 }
 
+TEST_F(RunPlanTest, ResultsOfAnotherPlanAreKeptAndReused) {
+  Run(plan_);
+  Started();
+  const Plan edited = PlanOf({Job("a1", "a"), Job("c1", "c")});
+  EXPECT_EQ(Run(edited).done, 2U);
+  EXPECT_THAT(Started(), ElementsAre("c1"));
+  Run(plan_);
+  EXPECT_THAT(Started(), IsEmpty());
+}
+
 TEST_F(RunPlanTest, StopKeepsResultsAndReportsTheRest) {
   Script("b1", "sleep 60");
   run_.stop = [&] { return fs::exists(run_.folder.log("b1")); };
@@ -213,6 +223,18 @@ TEST_F(RunPlanTest, AFullDiskEndsTheRunAndLosesNothing) {
   EXPECT_THAT(started, ElementsAre("a1", "b1"));
   EXPECT_THAT(resumed, ElementsAre("a2", "b1"));  // each is now the first of its input
   EXPECT_EQ(done, 4U);
+}
+
+TEST_F(RunPlanTest, PreparationsReportFailures) {
+  const auto task = [&](const std::string& name, const std::string& script) {
+    return Task{.name = name, .argv = {"/bin/sh", "-c", script}, .log = run_.folder.log(name)};
+  };
+  LocalEngine engine(1);
+  const std::vector<Task> tasks = {task("good", "true"),
+                                   task("bad", "echo clustervo: error: no paint; exit 1")};
+  EXPECT_THAT(RunPreparations(tasks, run_, engine).value(), ElementsAre("", "no paint"));
+  run_.stop = [] { return true; };
+  EXPECT_FALSE(RunPreparations(tasks, run_, engine).has_value());
 }
 
 }  // namespace
