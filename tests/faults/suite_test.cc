@@ -113,6 +113,10 @@ TEST_F(SuiteFaults, Markdown) {
   ExpectDone({"check", out(), "--baseline", At("baseline.json"), "--markdown", file});
   const std::string text = ReadFileBytes(file);
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+  const std::string verdict = text.substr(0, text.find("\n\n"));
+  for (const char* active : {"](", "<b>", "https://", "www."}) {
+    EXPECT_THAT(verdict, Not(HasSubstr(active)));
+  }
   // Everything but the verdict is in an indented block of code, where nothing is active.
   std::istringstream lines(text.substr(text.find("\n\n") + 2));
   for (std::string line; std::getline(lines, line);) EXPECT_TRUE(line.starts_with("    ")) << line;
