@@ -80,8 +80,8 @@ std::string QuantityText(double value, const Column& column) {
 }
 
 std::string CellValueText(const Cell& cell, const Column& column) {
-  if (!cell.present) return "no value";
-  const std::string text = QuantityText(cell.value, column);
+  if (!cell.value) return "no value";
+  const std::string text = QuantityText(*cell.value, column);
   if (!cell.interval) return text;
   const double scale = ShownAs(column.metric, column.unit).scale;
   return StrCat(text, " (", NumberText(scale * cell.interval->low), " to ",

@@ -55,8 +55,8 @@ std::string TableSection(const PageContent& content) {
     return html + "<p class=\"problem\">There is no table: see above.</p>\n</section>\n";
   }
   html +=
-      "<p>Each value is a mean, with its 95 % interval and the number of bodies or scenes below "
-      "it. A star marks a significant difference from the reference. Grey rows are published "
+      "<p>Each value is a mean, with its 95 % interval below it. A star marks a significant "
+      "difference from the reference. Grey rows are published "
       "results of others, with their sources in the notes below; values in brackets are not "
       "comparable with ours. Select a heading to sort by it.</p>\n";
   return html + ResultTable(*content.table, "table") + "</section>\n";

@@ -230,7 +230,7 @@ void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& fold
     for (const Column& column : table.columns) {
       Cell cell = MakeCell(runs, table.keys, column);
       cell.not_comparable = DifferingMeaning(runs, column);
-      if (reference != nullptr && cell.present && AreComparable(runs, *reference, column)) {
+      if (reference != nullptr && cell.value && AreComparable(runs, *reference, column)) {
         cell.difference = MakeDifference({table.keys, runs, *reference, table.reference}, column);
       }
       row.cells.push_back(std::move(cell));

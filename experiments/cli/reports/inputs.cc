@@ -148,11 +148,6 @@ Trajectory ReadKittiTrajectory(const fs::path& path) {
   return trajectory;
 }
 
-RigidTransform TransformOf(const reports::Pose& pose) {
-  return {Eigen::Quaterniond(pose[6], pose[3], pose[4], pose[5]),
-          Eigen::Vector3d(pose[0], pose[1], pose[2])};
-}
-
 PlotInput ReadRunInput(const std::string& path) {
   const fs::path result = fs::path(path) / "result.json";
   if (!fs::exists(result)) {
@@ -163,9 +158,10 @@ PlotInput ReadRunInput(const std::string& path) {
   reports::RunDetail detail = reports::ReadRunDetail(path);
   PlotInput input{path, run.variant, run.sequence.name, {}, true, true, {}, {}};
   for (const reports::CameraFrame& frame : detail.camera) {
-    if (frame.truth) input.truth.push_back({frame.timestamp_ns, TransformOf(*frame.truth)});
+    if (frame.truth)
+      input.truth.push_back({frame.timestamp_ns, reports::TransformOf(*frame.truth)});
     if (frame.status == "skipped") continue;
-    input.poses.push_back({frame.timestamp_ns, TransformOf(frame.world_from_camera)});
+    input.poses.push_back({frame.timestamp_ns, reports::TransformOf(frame.world_from_camera)});
   }
   input.bodies = std::move(detail.bodies);
   return input;

@@ -326,7 +326,6 @@ Table TwoRows(double difference, std::size_t pairs, bool distinguishable,
   Row row;
   row.keys = {"2d"};
   Cell cell;
-  cell.present = true;
   cell.difference = Difference{};
   cell.difference->value = 0.5;
   cell.difference->reference_value = 0.5 - difference;
