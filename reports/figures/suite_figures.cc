@@ -14,16 +14,6 @@
 namespace cvo::reports {
 namespace {
 
-// Minus the number of options, among those that the suite varies, that the run does not leave at
-// their defaults.
-int OptionsAtDefault(const PlannedRun& run, const Table& table) {
-  return -static_cast<int>(std::count_if(run.keys.begin(), run.keys.end(), [&](const auto& key) {
-    if (!IsOption(key.first)) return false;
-    const auto* option = FindBy(table.provenance.options, &ChangedOption::path, key.first);
-    return option == nullptr || option->default_value != key.second;
-  }));
-}
-
 std::set<std::string> ValuesOf(const SuitePlan& plan, const std::string& key) {
   std::set<std::string> values;
   for (const PlannedRun& run : plan.runs) values.insert(KeyOf(run, key));
@@ -45,37 +35,15 @@ DrawnRun Describe(const SuitePlan& plan, const PlannedRun& run) {
   return drawn;
 }
 
-// The run to draw per sequence and variant.
-struct Choice {
-  std::pair<std::string, std::string> key;
-  int score = 0;
-  const SuiteRun* run = nullptr;
-  DrawnRun drawn;
-};
-
-std::vector<Choice> ChooseRuns(const SuiteData& data) {
-  std::vector<Choice> choices;
-  for (const SuiteRun& run : data.runs) {
-    if (!run.run || !run.planned.system.empty()) continue;
-    const DrawnRun drawn = Describe(data.plan, run.planned);
-    const Choice fresh{
-        {drawn.sequence, drawn.variant}, OptionsAtDefault(run.planned, data.table), &run, drawn};
-    Choice& known = FindOrAdd(choices, &Choice::key, fresh);
-    if (fresh.score > known.score) known = fresh;
-  }
-  return choices;
-}
-
 // Runs that cannot be drawn, or not in full, by the reason.
 using Reason = std::pair<std::string, std::vector<std::string>>;
 
-void ReadDrawn(Choice& choice, SuiteData& data, std::vector<Reason>& reasons) {
-  DrawnRun& drawn = choice.drawn;
+void ReadDrawn(DrawnRun drawn, const std::filesystem::path& folder, SuiteData& data,
+               std::vector<Reason>& reasons) {
   const auto add = [&](const std::string& reason) {
     FindOrAdd(reasons, &Reason::first, {reason, {}})
         .second.push_back(StrCat(drawn.sequence, " ", drawn.variant, " seed ", drawn.seed));
   };
-  const std::filesystem::path folder = choice.run->run->file.parent_path();
   try {
     drawn.detail = ReadRunDetail(folder);
     data.drawn.push_back(drawn);
@@ -100,7 +68,13 @@ SuiteData ReadSuiteData(const std::filesystem::path& folder, const Table& table)
   for (const Column& column : table.columns) metrics.push_back(column.metric);
   data.runs = ReadRuns(folder, data.plan, metrics);
   std::vector<Reason> reasons;
-  for (Choice& choice : ChooseRuns(data)) ReadDrawn(choice, data, reasons);
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const SuiteRun& run : data.runs) {
+    if (!run.run || !run.planned.system.empty()) continue;
+    const DrawnRun drawn = Describe(data.plan, run.planned);
+    if (!seen.emplace(drawn.sequence, drawn.variant).second) continue;
+    ReadDrawn(drawn, run.run->file.parent_path(), data, reasons);
+  }
   for (const auto& [reason, runs] : reasons) {
     data.not_drawn.push_back(
         StrCat(reason, " (", runs.front(),

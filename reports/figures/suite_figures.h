@@ -33,8 +33,7 @@ struct SuiteData {
 };
 
 // Reads the runs that the table was made from and, frame by frame, one run per sequence and
-// variant: the first in the plan whose options are at, or nearest to, their defaults. `folder` is
-// the output folder of the suite.
+// variant: the first in the plan. `folder` is the output folder of the suite.
 SuiteData ReadSuiteData(const std::filesystem::path& folder, const Table& table);
 
 // A chart with its texts, which the chart itself lacks: a page writes them as HTML, a file draws

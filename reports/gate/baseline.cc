@@ -77,7 +77,7 @@ std::vector<BaselineMetric> CollectMetrics(const GateRuns& runs, const std::stri
   std::vector<BaselineMetric> metrics;
   for (const std::string& name : runs.metrics) {
     const bool higher = FindEntry(name)->higher_is_better();
-    BaselineMetric metric{name, MetricUnit::kOne, higher ? "higher" : "lower", {}};
+    BaselineMetric metric{name, MetricUnit::kOne, {}, higher ? "higher" : "lower"};
     for (const SuiteRun& run : runs.runs) {
       const MetricValue* value = FindMetric(*run.run, name);
       if (value != nullptr) AddContract(*run.run, *value, metric);

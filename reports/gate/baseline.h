@@ -18,8 +18,8 @@ using RunKeys = std::map<std::string, std::string>;  // PlannedRun::keys
 struct BaselineMetric {
   std::string name;  // a name that FindEntry knows
   MetricUnit unit = MetricUnit::kOne;
-  std::string better;                         // "higher" or "lower": for human readers
   std::map<std::string, Contract> contracts;  // by dataset type
+  std::string better = {};                    // "higher" or "lower": for human readers
 
   CVO_FIELDS(name, unit, better, contracts);
 };

@@ -23,7 +23,6 @@ constexpr std::pair<const char*, const char*> kTerms[] = {
      "part."},
     {"cluster", "A set of landmarks that move together: the estimate of one object."},
     {"landmark", "A point in the scene that is seen in the images."},
-    {"sequence", "A recorded or rendered image sequence with its ground truth."},
     {"seed",
      "Initial value of the random number generator. Runs that differ only in the seed show the "
      "random variation."},
@@ -34,9 +33,6 @@ constexpr std::pair<const char*, const char*> kTerms[] = {
      "What scenes are used for: options were chosen on development scenes, results are reported "
      "on test scenes. Recorded images are given."},
     {"pair", "A scene (or body of a single scene) that is present in both rows of a difference."},
-    {"occluded, predicted",
-     "Hidden by another object; its pose is then given only by the motion model."},
-    {"left out", "What is excluded from a value, and why."},
 };
 
 // The hash by which a Content-Security-Policy names the only script that may run.

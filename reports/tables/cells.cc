@@ -16,6 +16,27 @@
 namespace cvo::reports {
 namespace {
 
+// How a metric of a run is computed from its bodies.
+struct BodyMetric {
+  MetricForm form;
+
+  const MetricEntry& entry() const { return EntryOf(form.id); }
+  bool predicted() const { return form.bodies == BodyGroup::kPredicted; }
+  bool movers() const { return form.bodies != BodyGroup::kStanding; }
+  // Whether the errors of the metric are listed frame by frame.
+  bool by_frames() const { return form.id == MetricId::kObjectAte; }
+  Within within() const {
+    return entry().kind == MetricKind::kCount ? Within::kSum : Within::kMean;
+  }
+};
+
+// Empty if the metric is not about bodies.
+std::optional<BodyMetric> FindBodyMetric(const std::string& metric) {
+  const std::optional<MetricForm> form = FindForm(metric);
+  if (!form || EntryOf(form->id).family != MetricFamily::kBodies) return std::nullopt;
+  return BodyMetric{*form};
+}
+
 const FrameErrors& ErrorsOf(const BodyMetric& metric, const BodyRow& body) {
   return metric.predicted() ? body.predicted : body.errors;
 }
@@ -50,6 +71,36 @@ std::optional<Part> FractionOf(const BodyMetric& metric, const BodyRow& body) {
       std::count_if(errors.position_m.begin(), errors.position_m.end(),
                     [&](double error_m) { return error_m <= metric.entry().limit_m; });
   return Part{static_cast<double>(within), static_cast<double>(frames)};
+}
+
+// The contribution of a body to the metric. Empty if the metric does not apply to the body or the
+// run has no value for it.
+std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {
+  if (body.mover != metric.movers()) return std::nullopt;
+  const MetricEntry& entry = metric.entry();
+  switch (entry.from_body) {
+    case FromBody::kSuccess:
+      return FractionOf(metric, body);
+    case FromBody::kUnmatched:
+      return Part{body.cluster == -1 ? 1.0 : 0.0};
+    case FromBody::kSum:
+      return Part{static_cast<double>(body.*entry.body_count)};
+    case FromBody::kCoverage:
+      if (body.visible_frames <= 0) return std::nullopt;
+      return Part{static_cast<double>(body.estimated_frames),
+                  static_cast<double>(body.visible_frames)};
+    case FromBody::kField: {
+      const std::optional<double>& error =
+          metric.predicted() ? body.predicted_ate_m : body.*entry.body_error;
+      return error ? std::optional(Part{*error}) : std::nullopt;
+    }
+    case FromBody::kMaxDrift:
+      if (!body.max_drift) return std::nullopt;
+      return Part{body.max_drift->Values().at(MaxDriftIndex(entry.id).value())};
+    case FromBody::kNothing:
+      break;
+  }
+  return std::nullopt;
 }
 
 // The samples of a cell, and what is missing from them.
@@ -214,40 +265,6 @@ Difference DifferenceOf(const PairedEstimate& estimate, const std::string& refer
 }
 
 }  // namespace
-
-std::optional<BodyMetric> FindBodyMetric(const std::string& metric) {
-  const std::optional<MetricForm> form = FindForm(metric);
-  if (!form || EntryOf(form->id).family != MetricFamily::kBodies) return std::nullopt;
-  return BodyMetric{*form};
-}
-
-std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {
-  if (body.mover != metric.movers()) return std::nullopt;
-  const MetricEntry& entry = metric.entry();
-  switch (entry.from_body) {
-    case FromBody::kSuccess:
-      return FractionOf(metric, body);
-    case FromBody::kUnmatched:
-      return Part{body.cluster == -1 ? 1.0 : 0.0};
-    case FromBody::kSum:
-      return Part{static_cast<double>(body.*entry.body_count)};
-    case FromBody::kCoverage:
-      if (body.visible_frames <= 0) return std::nullopt;
-      return Part{static_cast<double>(body.estimated_frames),
-                  static_cast<double>(body.visible_frames)};
-    case FromBody::kField: {
-      const std::optional<double>& error =
-          metric.predicted() ? body.predicted_ate_m : body.*entry.body_error;
-      return error ? std::optional(Part{*error}) : std::nullopt;
-    }
-    case FromBody::kMaxDrift:
-      if (!body.max_drift) return std::nullopt;
-      return Part{body.max_drift->Values().at(MaxDriftIndex(entry.id).value())};
-    case FromBody::kNothing:
-      break;
-  }
-  return std::nullopt;
-}
 
 Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Column& column) {
   Cell cell;

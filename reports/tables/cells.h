@@ -11,7 +11,6 @@
 #include "core/record/metric_catalogue.h"
 #include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "reports/statistics/estimate.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
@@ -68,27 +67,6 @@ std::string DifferingMeaning(const RowRuns& row, const Column& column);
 // Whether a difference between two rows is meaningful: both define the metric as the column does
 // and, if one is of another system, both use the same correction of the calibration.
 bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& column);
-
-// How a metric of a run is computed from its bodies.
-struct BodyMetric {
-  MetricForm form;
-
-  const MetricEntry& entry() const { return EntryOf(form.id); }
-  bool predicted() const { return form.bodies == BodyGroup::kPredicted; }
-  bool movers() const { return form.bodies != BodyGroup::kStanding; }
-  // Whether the errors of the metric are listed frame by frame.
-  bool by_frames() const { return form.id == MetricId::kObjectAte; }
-  Within within() const {
-    return entry().kind == MetricKind::kCount ? Within::kSum : Within::kMean;
-  }
-};
-
-// Empty if the metric is not about bodies.
-std::optional<BodyMetric> FindBodyMetric(const std::string& metric);
-
-// The contribution of a body to the metric. Empty if the metric does not apply to the body or the
-// run has no value for it.
-std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body);
 
 // The runs of a row and of its reference, with the keys that identify rows.
 struct PairedRows {

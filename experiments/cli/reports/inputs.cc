@@ -116,9 +116,7 @@ bool AddDetections(const std::string& folder, reports::OverlayRun& run) {
   const auto frames = DetectionsOf(*sequence, run.classes);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     for (const Detection& detection : frames[i]) {
-      const ImageBox& box = detection.box;
-      run.detections[sequence->first_frame + static_cast<int>(i)].push_back(
-          {box.left_px, box.top_px, box.right_px, box.bottom_px});
+      run.detections[sequence->first_frame + static_cast<int>(i)].push_back(detection.box);
     }
   }
   return true;

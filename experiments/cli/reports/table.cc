@@ -18,7 +18,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
 #include "experiments/suite/engine.h"
-#include "reports/runs/suite_times.h"
+#include "reports/runs/run_detail.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/table_texts.h"
 

@@ -129,7 +129,7 @@ TEST(SuiteFigures, NameEachMissingFileOnce) {
                        "run)."));
 }
 
-TEST(SuiteFigures, DrawTheFirstSeedAtTheDefaults) {
+TEST(SuiteFigures, DrawTheFirstRunOfAVariant) {
   SuiteResults suite;
   suite.table["rows"] = {"q"};
   for (const auto& [value, seed] : {std::pair{1, 5}, {2, 5}, {2, 6}}) {
@@ -141,7 +141,7 @@ TEST(SuiteFigures, DrawTheFirstSeedAtTheDefaults) {
   const std::filesystem::path folder = suite.Written();
   const SuiteData data = ReadSuiteData(folder, MakeTable(folder, {}, R"({"q": 2})"));
   ASSERT_THAT(data.drawn, SizeIs(1));
-  EXPECT_EQ(data.drawn[0].job, "job1");
+  EXPECT_EQ(data.drawn[0].job, "job0");
   EXPECT_EQ(data.drawn[0].seed, 5U);
 }
 

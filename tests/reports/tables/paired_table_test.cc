@@ -301,16 +301,6 @@ TEST_F(TableNotesTest, ReportsCorrectedCalibrations) {
   EXPECT_THAT(Make().notes, ElementsAre(AllOf(HasSubstr("drive_0001"), HasSubstr("0.16 px"))));
 }
 
-TEST_F(TableNotesTest, SaysWhatSelfCalibrationFoundOnRecordings) {
-  Json result = Result();
-  result["calibration"] = {{"right_field_px", {0.291, 0.3, 0.0, 0.9, 0.0, 0.0}},
-                           {"sigma_px", {0.021, 0.1, 0.1, 0.1, 0.1, 0.1}}};
-  suite_.Add(result);
-  suite_.Add(Result("2011_09_26_drive_0013", 72))["calibration"] = nullptr;
-  EXPECT_THAT(Make().notes, ElementsAre(AllOf(HasSubstr("drive_0001: calibration error found"),
-                                              HasSubstr("0.29 +- 0.02"))));
-}
-
 TEST_F(TableNotesTest, CpuLevelsAreNoted) {
   Json fast = Result();
   fast["build"]["cpu_level"] = "avx2";

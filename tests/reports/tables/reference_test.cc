@@ -180,14 +180,14 @@ TEST(Reference, BadFilesNameTheField) {
     return R"({"schema_version": 2, "kind": "reference", "sources": [{"id": "x", "source": "", "kind": "", "caveat": "",)"
            R"( "metrics": {"camera_ate": {"unit": "m", "contract": )" +
            contract +
-           R"(}}, "figures": [{"suite": "s", "system": "x", "values": {"camera_ate": 1.0}}]}]}";
+           R"(}}, "figures": [{"suite": "s", "system": "x", "values": {"camera_ate": 1.0}}]}]})";
   };
   EXPECT_EQ(error(with_contract(R"({"delta": "all", "poses": null})")), "");
-    EXPECT_THAT(error(with_contract(R"({"detla": "all"})")),
-                HasSubstr("found detla, expected a field of a contract"));
-    EXPECT_THAT(error(with_contract(R"({"delta": "every"})")),
-                HasSubstr("field delta: found \"every\", expected one of \"none\", \"all\""));
-  }
+  EXPECT_THAT(error(with_contract(R"({"detla": "all"})")),
+              HasSubstr("found detla, expected a field of a contract"));
+  EXPECT_THAT(error(with_contract(R"({"delta": "every"})")),
+              HasSubstr("field delta: found \"every\", expected one of \"none\", \"all\""));
+}
 
 }  // namespace
 }  // namespace cvo::reports
