@@ -12,45 +12,6 @@
 
 namespace cvo {
 
-ImageBox ImageBox::Shrunk(double fraction) const {
-  const double dx = fraction * Width();
-  const double dy = fraction * Height();
-  return {left_px + dx, top_px + dy, right_px - dx, bottom_px - dy};
-}
-
-namespace {
-
-double Area(const ImageBox& box) { return box.Width() * box.Height(); }
-
-double CommonArea(const ImageBox& a, const ImageBox& b) {
-  const double width = std::min(a.right_px, b.right_px) - std::max(a.left_px, b.left_px);
-  const double height = std::min(a.bottom_px, b.bottom_px) - std::max(a.top_px, b.top_px);
-  return width <= 0.0 || height <= 0.0 ? 0.0 : width * height;
-}
-
-}  // namespace
-
-double IntersectionOverUnion(const ImageBox& a, const ImageBox& b) {
-  const double common = CommonArea(a, b);
-  return common > 0.0 ? common / (Area(a) + Area(b) - common) : 0.0;
-}
-
-double ShareInside(const ImageBox& part, const ImageBox& whole) {
-  const double common = CommonArea(part, whole);
-  return common > 0.0 ? common / Area(part) : 0.0;
-}
-
-std::optional<ImageBox> ClipToImage(const ImageBox& box, const StereoCamera& camera) {
-  const double right_px = camera.width_px - 1;
-  const double bottom_px = camera.height_px - 1;
-  if (box.right_px < 0.0 || box.bottom_px < 0.0 || box.left_px > right_px ||
-      box.top_px > bottom_px) {
-    return std::nullopt;
-  }
-  return ImageBox{std::max(box.left_px, 0.0), std::max(box.top_px, 0.0),
-                  std::min(box.right_px, right_px), std::min(box.bottom_px, bottom_px)};
-}
-
 namespace {
 
 constexpr double kForbidden = std::numeric_limits<double>::infinity();

@@ -11,8 +11,7 @@
 #include "core/files/json/json_record.h"
 
 // A contract states what a number means. Two numbers are comparable if their contracts are equal;
-// the texts made from contracts (contract_text.h) are for readers only. Files store the names
-// below.
+// the texts made from contracts are for readers only. Files store the names below.
 namespace cvo::reports {
 
 enum class MetricUnit {

@@ -164,7 +164,7 @@ std::vector<std::string> RunFileNames() {
 
 StagedFile BeginLandmarks(const fs::path& folder) {
   StagedFile file(folder / kLandmarks);
-  file.Append(kLandmarksHeader);
+  file.Append(CsvHeader<reports::LandmarkRow>() + "\n");
   return file;
 }
 

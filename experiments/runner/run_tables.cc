@@ -8,128 +8,65 @@
 #include <numbers>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "core/association/box_association.h"
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "core/geometry/rigid_transform.h"
+#include "core/record/run_rows.h"
 #include "experiments/metrics/trajectory.h"
 
 namespace cvo {
-
 namespace {
 
-// One row of a table, with cells separated by `separator`. Numbers are written as the shortest text
-// that reads back as the same number; a number that is not finite throws Error.
-class TableRow {
- public:
-  explicit TableRow(char separator) : separator_(separator) {}
+// Of landmarks.csv. Finer than anything that is computed from these values, and half the bytes of
+// an exact representation.
+constexpr int kDecimalsPixels = 2;
+constexpr int kDecimals = 3;  // m, nats
 
-  void Text(std::string_view text);
-  void Integer(std::int64_t value);
-  void Number(double value);
-  // Appends the value rounded to a multiple of 10^-decimals.
-  void Rounded(double value, int decimals);
-  void Vector(const Eigen::Vector3d& vector);
-  void Pose(const RigidTransform& pose);         // x y z qx qy qz qw
-  void Box(const std::optional<ImageBox>& box);  // left top right bottom, px
-  void Empty(int cells);
-
-  // Returns the row with a newline.
-  std::string Line() const { return line_ + '\n'; }
-
- private:
-  void Part();
-
-  char separator_;
-  bool first_ = true;
-  std::string line_;
-};
-
-void TableRow::Part() {
-  if (!first_) line_ += separator_;
-  first_ = false;
-}
-
-void TableRow::Text(std::string_view text) {
-  Part();
-  line_ += text;
-}
-
-void TableRow::Integer(std::int64_t value) { Text(std::to_string(value)); }
-
-void TableRow::Number(double value) {
-  if (!std::isfinite(value)) {
-    ThrowError("a table's row \"" + line_ + "\"", "a number that is not finite", "a finite one");
-  }
-  Text(FormatDouble(value));
-}
-
-void TableRow::Rounded(double value, int decimals) {
+double Rounded(double value, int decimals) {
   const double scale = std::pow(10.0, decimals);
-  Number(std::round(value * scale) / scale);
+  return std::round(value * scale) / scale;
 }
 
-void TableRow::Vector(const Eigen::Vector3d& vector) {
-  for (int i = 0; i < 3; ++i) Number(vector[i]);
+Eigen::Vector3d Rounded(const Eigen::Vector3d& values, int decimals) {
+  return {Rounded(values.x(), decimals), Rounded(values.y(), decimals),
+          Rounded(values.z(), decimals)};
 }
 
-void TableRow::Pose(const RigidTransform& pose) {
-  Vector(pose.translation());
-  for (int i = 0; i < 4; ++i) Number(pose.data()[i]);
-}
-
-void TableRow::Box(const std::optional<ImageBox>& box) {
-  if (!box) return Empty(4);
-  for (const double side_px : {box->left_px, box->top_px, box->right_px, box->bottom_px}) {
-    Number(side_px);
-  }
-}
-
-void TableRow::Empty(int cells) {
-  for (int i = 0; i < cells; ++i) Text("");
-}
-
-constexpr const char* kObjectTableHeader =
-    "frame,timestamp_ns,id,category,status,"
-    "x,y,z,qx,qy,qz,qw,vx,vy,vz,"
-    "refined_x,refined_y,refined_z,refined_qx,refined_qy,refined_qz,refined_qw,"
-    "refined_vx,refined_vy,refined_vz,"
-    "center_x,center_y,center_z,half_x_m,half_y_m,half_z_m,"
-    "box_x,box_y,box_z,box_qx,box_qy,box_qz,box_qw,length_m,height_m,width_m,"
-    "left_px,top_px,right_px,bottom_px,observed_landmarks,detection,score\n";
-constexpr int kPoseAndVelocity = 10;
-
-void AddPose(const ClusterReport* report, TableRow& row) {
-  if (!report) return row.Empty(kPoseAndVelocity);
-  row.Pose(report->world_from_object);
-  row.Vector(report->velocity_m_s);
+std::optional<std::int64_t> LabelOf(ClusterId id) {
+  return id.valid() ? std::optional(id.value) : std::nullopt;
 }
 
 }  // namespace
 
 void WriteObjectTable(const Sequence& sequence, const RunResult& run, const TextSink& sink) {
-  sink(kObjectTableHeader);
+  sink(CsvHeader<reports::ObjectRow>() + "\n");
   ForEachLiveCluster(run, [&](const LiveCluster& cluster) {
     const ClusterReport& report = cluster.Last();
-    TableRow row(',');
-    row.Integer(cluster.frame.frame);
-    row.Integer(cluster.frame.timestamp_ns);
-    row.Integer(cluster.id.value);
-    row.Text(report.category);
-    row.Text(ToString(report.status));
-    AddPose(cluster.causal, row);
-    AddPose(cluster.refined, row);
-    row.Vector(report.center_in_object);
-    row.Vector(report.half_size_m);
-    row.Pose(report.box.object_from_box);
-    row.Vector(report.box.size_m);
-    row.Box(ProjectedBox(cluster, sequence.camera));
-    row.Integer(report.observed_landmarks);
-    report.detection < 0 ? row.Empty(1) : row.Integer(report.detection);
-    row.Number(report.score);
-    sink(row.Line());
+    reports::ObjectRow row;
+    row.frame = cluster.frame.frame;
+    row.timestamp_ns = cluster.frame.timestamp_ns;
+    row.id = cluster.id.value;
+    row.category = report.category;
+    row.status = ToString(report.status);
+    if (cluster.causal) {
+      row.causal_world_from_object = cluster.causal->world_from_object;
+      row.causal_velocity_m_s = cluster.causal->velocity_m_s;
+    }
+    if (cluster.refined) {
+      row.refined_world_from_object = cluster.refined->world_from_object;
+      row.refined_velocity_m_s = cluster.refined->velocity_m_s;
+    }
+    row.center_in_object = report.center_in_object;
+    row.half_size_m = report.half_size_m;
+    row.object_from_box = report.box.object_from_box;
+    row.size_m = report.box.size_m;
+    row.projected_box = ProjectedBox(cluster, sequence.camera);
+    row.observed_landmarks = report.observed_landmarks;
+    if (report.detection >= 0) row.detection = report.detection;
+    row.score = report.score;
+    sink(CsvLine(row));
   });
 }
 
@@ -142,27 +79,6 @@ std::string ClusterTum(const ClusterTrajectory& cluster) {
   return FormatTumTrajectory(tracked);
 }
 
-namespace {
-
-// Finer than anything that is computed from these values, and half the bytes of an exact
-// representation.
-constexpr int kDecimalsPixels = 2;
-constexpr int kDecimals = 3;  // m, nats
-
-void Label(ClusterId id, TableRow& row) {
-  if (id.valid()) {
-    row.Integer(id.value);
-  } else {
-    row.Empty(1);
-  }
-}
-
-}  // namespace
-
-const std::string_view kLandmarksHeader =
-    "frame,id,u_px,v_px,u_right_px,cluster,inferred,confidence,energy_2d,energy_3d,energy_motion,"
-    "x,y,z,truth_body,second,second_2d,second_3d,second_motion\n";
-
 std::string LandmarkRows(int frame, const StereoFrame& given,
                          const std::vector<LandmarkReport>& landmarks,
                          const std::vector<LandmarkTruth>& feature_truth) {
@@ -171,24 +87,22 @@ std::string LandmarkRows(int frame, const StereoFrame& given,
   std::string rows;
   for (const LandmarkReport& landmark : landmarks) {
     const auto feature = static_cast<std::size_t>(landmark.feature);
-    TableRow row(',');
-    row.Integer(frame);
-    row.Integer(landmark.id.value);
-    for (int k = 0; k < 3; ++k) row.Rounded(given.features.at(feature).z_px[k], kDecimalsPixels);
-    Label(landmark.cluster, row);
-    Label(landmark.inferred, row);
-    row.Integer(landmark.confidence);
-    row.Rounded(landmark.energy_2d, kDecimals);
-    row.Rounded(landmark.energy_3d, kDecimals);
-    row.Rounded(landmark.energy_motion, kDecimals);
-    for (int k = 0; k < 3; ++k) row.Rounded(landmark.p_in_world[k], kDecimals);
+    reports::LandmarkRow row;
+    row.frame = frame;
+    row.id = landmark.id.value;
+    row.z_px = Rounded(given.features.at(feature).z_px, kDecimalsPixels);
+    row.cluster = LabelOf(landmark.cluster);
+    row.inferred = LabelOf(landmark.inferred);
+    row.confidence = landmark.confidence;
+    row.energies =
+        Rounded({landmark.energy_2d, landmark.energy_3d, landmark.energy_motion}, kDecimals);
+    row.p_in_world = Rounded(landmark.p_in_world, kDecimals);
     const int body = feature_truth.empty() ? -1 : feature_truth[feature].body;
-    body < 0 ? row.Empty(1) : row.Integer(body);
-    Label(landmark.second, row);
-    row.Rounded(landmark.second_2d, kDecimals);
-    row.Rounded(landmark.second_3d, kDecimals);
-    row.Rounded(landmark.second_motion, kDecimals);
-    rows += row.Line();
+    if (body >= 0) row.truth_body = body;
+    row.second = LabelOf(landmark.second);
+    row.second_energies =
+        Rounded({landmark.second_2d, landmark.second_3d, landmark.second_motion}, kDecimals);
+    rows += CsvLine(row);
   }
   return rows;
 }
@@ -243,20 +157,19 @@ void WriteKittiTracks(const Sequence& sequence, const RunResult& run, const Text
   ForEachTrackBox(sequence, run, [&sink](const ObjectBox& box) {
     const ObjectBox::Box3d& box3d = *box.box3d;
     const Eigen::Vector3d& bottom = box3d.bottom_in_camera;
-    TableRow row(' ');
-    row.Integer(box.frame);
-    row.Integer(box.track);
-    row.Text(box.type);
-    row.Integer(-1);  // truncation and occlusion are not estimated
-    row.Integer(-1);
-    row.Number(std::remainder(box3d.heading_rad - std::atan2(bottom.x(), bottom.z()),
-                              2.0 * std::numbers::pi));
-    row.Box(ImageBox{box.left_px, box.top_px, box.right_px, box.bottom_px});
-    row.Vector({box3d.height_m, box3d.width_m, box3d.length_m});
-    row.Vector(bottom);
-    row.Number(box3d.heading_rad);
-    row.Number(*box.score);
-    sink(row.Line());
+    std::string line = StrCat(box.frame, " ", box.track, " ", box.type, " -1 -1");
+    const double observed_rad = std::remainder(
+        box3d.heading_rad - std::atan2(bottom.x(), bottom.z()), 2.0 * std::numbers::pi);
+    for (const double number : {observed_rad, box.left_px, box.top_px, box.right_px, box.bottom_px,
+                                box3d.height_m, box3d.width_m, box3d.length_m, bottom.x(),
+                                bottom.y(), bottom.z(), box3d.heading_rad, *box.score}) {
+      if (!std::isfinite(number)) {
+        ThrowError("a line of tracks.kitti \"" + line + "\"", "a number that is not finite",
+                   "a finite one");
+      }
+      line += " " + FormatDouble(number);
+    }
+    sink(line + "\n");
   });
 }
 

@@ -21,7 +21,6 @@ enum class Symbol {
   kTriangleDown,
   kPentagon,
   kHexagon,
-  kOpenTriangle,
   kCross
 };
 
@@ -48,16 +47,13 @@ struct Datum {
   std::string tip = {};                       // tooltip of this value; empty: that of its series
   std::string text = {};                      // drawn beside a point, above it if there is room
   bool text_below = false;                    // below it if there is room
-  std::optional<ValueRange> x_interval = {};  // whisker
-  std::optional<ValueRange> y_interval = {};  // whisker, or the height of a band
-  double base = 0.0;                          // where a bar begins
+  std::optional<ValueRange> y_interval = {};  // the height of a band
 };
 
 enum class SeriesKind {
-  kLine,    // through the data, with the symbol of its look at each of them
-  kBand,    // area between the ends of the y intervals
-  kPoints,  // symbols with whiskers
-  kBars     // from `base` to the value, with whiskers; horizontal if y is the category axis
+  kLine,   // through the data, with the symbol of its look at each of them
+  kBand,   // area between the ends of the y intervals
+  kPoints  // symbols
 };
 
 struct Series {
@@ -65,8 +61,7 @@ struct Series {
   std::string name;  // in the legend, once per chart; empty: not in the legend
   Look look;
   std::vector<Datum> data;
-  std::string tip = {};    // tooltip of the whole series; empty: its name
-  double bar_width = 0.8;  // in categories
+  std::string tip = {};  // tooltip of the whole series; empty: its name
 };
 
 // A cell of a heat map over two category axes.
@@ -111,7 +106,6 @@ struct Panel {
   std::vector<Shade> shades = {};
   std::vector<Rule> rules = {};
   double aspect = 0.25;      // height / width; not of a panel with categories on y
-  double row_height = 1.7;   // of a category on y, in font sizes
   bool equal_scale = false;  // one unit is as long on y as on x; `aspect` is then a limit
 };
 

@@ -31,14 +31,12 @@ void Widen(double value, AxisScale scale, ValueRange& range) {
 
 void WidenByData(const Panel& panel, bool x, ValueRange& range) {
   const AxisScale scale = x ? panel.x.scale : panel.y.scale;
-  const bool across = (x ? panel.y : panel.x).scale == AxisScale::kCategory;
   for (const Series& series : panel.series) {
     for (const Datum& datum : series.data) {
-      const std::optional<ValueRange>& interval = x ? datum.x_interval : datum.y_interval;
       if (x || series.kind != SeriesKind::kBand) Widen(x ? datum.x : datum.y, scale, range);
-      if (interval) Widen(interval->low, scale, range);
-      if (interval) Widen(interval->high, scale, range);
-      if (series.kind == SeriesKind::kBars && across) Widen(datum.base, scale, range);
+      if (x || !datum.y_interval) continue;
+      Widen(datum.y_interval->low, scale, range);
+      Widen(datum.y_interval->high, scale, range);
     }
   }
   for (const Rule& rule : panel.rules) {
@@ -211,8 +209,9 @@ void EqualiseScales(const Panel& panel, PanelPlace& place) {
 
 // Everything about a panel but its position.
 void Measure(const Panel& panel, double em, PanelPlace& place) {
+  constexpr double kRowHeight = 1.7;  // of a category on y, in font sizes
   place.height = panel.y.scale == AxisScale::kCategory
-                     ? static_cast<double>(panel.y.categories.size()) * panel.row_height * em
+                     ? static_cast<double>(panel.y.categories.size()) * kRowHeight * em
                      : panel.aspect * place.width;
   if (panel.equal_scale) EqualiseScales(panel, place);
   place.x.ticks = TicksOf(panel.x, place.x.range, TicksAlong(place.width, 5.0 * em));

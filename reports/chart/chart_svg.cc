@@ -12,7 +12,7 @@
 namespace cvo::reports {
 namespace {
 
-// Symbols of radius 1. The last two are strokes.
+// Symbols of radius 1. The last one is a stroke.
 constexpr std::array kSymbols = {"",
                                  "M-1 0a1 1 0 1 0 2 0a1 1 0 1 0-2 0Z",
                                  "M-.9-.9H.9V.9H-.9Z",
@@ -22,7 +22,6 @@ constexpr std::array kSymbols = {"",
                                  "M0 1.2L1.15-.85H-1.15Z",
                                  "M0-1.15L1.09-.36L.68.93H-.68L-1.09-.36Z",
                                  "M1.15 0L.58 1H-.58L-1.15 0L-.58-1H.58Z",
-                                 "M0-1.5L1.4 1H-1.4Z",
                                  "M-1.2-1.2L1.2 1.2M-1.2 1.2L1.2-1.2"};
 
 std::string Text(const std::string& text) { return HtmlEscaped(Printable(text)); }
@@ -81,7 +80,7 @@ class SvgWriter {
   }
   // A symbol; with no symbol an invisible disc that has the tooltip.
   void Mark(const Look& look, double x, double y, const std::string& tip) {
-    const bool open = look.symbol >= Symbol::kOpenTriangle;
+    const bool open = look.symbol == Symbol::kCross;
     const bool hidden = look.symbol == Symbol::kNone;
     const Look thin{look.colour, look.symbol, 0, 0.4, look.opacity};
     const auto shape = static_cast<std::size_t>(hidden ? Symbol::kCircle : look.symbol);
@@ -94,7 +93,7 @@ class SvgWriter {
     const Look& look = entry.series->look;
     const SeriesKind kind = entry.series->kind;
     const double end = entry.x + kSample * em_;
-    if (kind == SeriesKind::kBars || kind == SeriesKind::kBand) {
+    if (kind == SeriesKind::kBand) {
       Rect({entry.x, entry.y - 0.4 * em_, end, entry.y + 0.4 * em_},
            Fill(look.colour, look.opacity));
     } else if (kind == SeriesKind::kLine) {
@@ -244,11 +243,9 @@ class SvgWriter {
                      " d=\"", line ? PathOf(series, place) : AreaOf(series, place), "\"/></svg>\n");
     }
     for (const Datum& datum : series.data) {
-      if (series.kind == SeriesKind::kBars) DrawBar(series, datum, place);
       if (series.kind == SeriesKind::kBand || !Holds(datum, place)) continue;
       const bool shown = series.look.symbol != Symbol::kNone || !datum.tip.empty();
-      if (series.kind != SeriesKind::kLine) Whiskers(series, datum, place);
-      if (series.kind != SeriesKind::kBars && shown) {
+      if (shown) {
         const double x = place.x.Of(datum.x);
         const double y = place.y.Of(datum.y);
         Mark(series.look, x, y, datum.tip);
@@ -291,38 +288,6 @@ class SvgWriter {
       back = StrCat("L", x, " ", Num(place.y.Of(datum.y_interval->low)), back);
     }
     return path.empty() ? "" : path + back + "Z";
-  }
-
-  void DrawBar(const Series& series, const Datum& datum, const PanelPlace& place) {
-    const double half = 0.5 * series.bar_width;
-    const bool across = place.y.kind == AxisScale::kCategory;
-    const double x1 = place.x.Of(across ? datum.base : datum.x - half);
-    const double x2 = place.x.Of(across ? datum.x : datum.x + half);
-    const double y1 = place.y.Of(across ? datum.y - half : datum.base);
-    const double y2 = place.y.Of(across ? datum.y + half : datum.y);
-    Rect({std::min(x1, x2), std::min(y1, y2), std::max(x1, x2), std::max(y1, y2)},
-         Fill(series.look.colour, series.look.opacity), datum.tip);
-  }
-
-  void Whiskers(const Series& series, const Datum& datum, const PanelPlace& place) {
-    if (!datum.x_interval && !datum.y_interval) return;
-    const double cap = 0.2 * em_;
-    const double x = place.x.Of(datum.x);
-    const double y = place.y.Of(datum.y);
-    out_ += series.kind == SeriesKind::kBars
-                ? "<g class=\"chart-axis\" fill=\"none\" stroke=\"#222222\" stroke-width=\"0.8\">\n"
-                : StrCat("<g", Stroke(series.look, 1.0), ">\n");
-    if (datum.x_interval) {
-      const double ends[] = {place.x.Of(datum.x_interval->low), place.x.Of(datum.x_interval->high)};
-      Line(ends[0], y, ends[1], y);
-      for (const double end : ends) Line(end, y - cap, end, y + cap);
-    }
-    if (datum.y_interval) {
-      const double ends[] = {place.y.Of(datum.y_interval->low), place.y.Of(datum.y_interval->high)};
-      Line(x, ends[0], x, ends[1]);
-      for (const double end : ends) Line(x - cap, end, x + cap, end);
-    }
-    out_ += "</g>\n";
   }
 
   // Writes a text beside its place, where it covers no mark and no other text; nothing if there is

@@ -3,7 +3,6 @@
 #include "reports/figures/figure_style.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -14,30 +13,6 @@
 #include "core/record/metric_catalogue.h"
 
 namespace cvo::reports {
-namespace {
-
-// Variants with a fixed look. The most used come first, since the first ones never share a colour.
-constexpr std::array kKnown = {"full",
-                               "2d",
-                               "2d3d",
-                               "no_gp_prior",
-                               "static",
-                               "no_pairwise",
-                               "no_turn_prior",
-                               "no_spatial_track",
-                               "no_marginalization",
-                               "no_probabilistic_association",
-                               "no_box_rematch",
-                               "no_label_confidence",
-                               "clustervo",
-                               "no_identity"};
-
-std::size_t KnownPlace(const std::string& name) {
-  return static_cast<std::size_t>(std::find(kKnown.begin(), kKnown.end(), name) - kKnown.begin());
-}
-
-}  // namespace
-
 std::string NumberText(double value, int digits) {
   if (value == 0.0 || !std::isfinite(value)) return value == 0.0 ? "0" : "no number";
   const int magnitude =
@@ -80,8 +55,8 @@ std::string QuantityText(double value, const Column& column) {
 }
 
 std::string CellValueText(const Cell& cell, const Column& column) {
-  if (!cell.present) return "no value";
-  const std::string text = QuantityText(cell.value, column);
+  if (!cell.value) return "no value";
+  const std::string text = QuantityText(*cell.value, column);
   if (!cell.interval) return text;
   const double scale = ShownAs(column.metric, column.unit).scale;
   return StrCat(text, " (", NumberText(scale * cell.interval->low), " to ",
@@ -149,25 +124,13 @@ std::string IntervalText(const Table& table, const std::vector<std::size_t>& col
 }
 
 Palette::Palette(const std::vector<std::string>& names) {
-  std::vector<std::size_t> taken;
-  for (const std::string& name : names) taken.push_back(KnownPlace(name));
-  std::size_t next = 0;
-  for (const std::string& name : names) {
-    if (std::find(names_.begin(), names_.end(), name) != names_.end()) continue;
-    names_.push_back(name);
-    std::size_t place = KnownPlace(name);
-    if (place == kKnown.size()) {
-      while (std::find(taken.begin(), taken.end(), next) != taken.end()) ++next;
-      place = next++;
-    }
-    places_.push_back(place);
-  }
+  for (const std::string& name : names) AddOnce(name, names_);
 }
 
 Look Palette::Line(const std::string& name, double width) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   Require(found != names_.end(), "Palette: a name that it was not made for");
-  const auto place = static_cast<int>(places_[static_cast<std::size_t>(found - names_.begin())]);
+  const auto place = static_cast<int>(found - names_.begin());
   constexpr int kDashes = 4;
   return {1 + place % kChartColours, Symbol::kNone, place / kChartColours % kDashes, width};
 }

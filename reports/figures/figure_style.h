@@ -53,9 +53,8 @@ std::string Listed(const std::vector<std::string>& texts);
 // Reduces a text to lower-case letters, digits and "-", for file names. At most 80 characters.
 std::string Slug(const std::string& text);
 
-// Gives each name a look that is the same in every figure: colour and symbol, and dashes once the
-// colours repeat. Variants that ship with the program have a fixed look; all other names get the
-// remaining ones in the order given.
+// Gives each name a look of its own, in the order given: colour and symbol, and dashes once the
+// colours repeat.
 class Palette {
  public:
   explicit Palette(const std::vector<std::string>& names);
@@ -66,7 +65,6 @@ class Palette {
 
  private:
   std::vector<std::string> names_;
-  std::vector<std::size_t> places_;  // in the order of all looks
 };
 
 }  // namespace cvo::reports

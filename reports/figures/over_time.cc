@@ -7,14 +7,11 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/figures/figure_style.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite_figures.h"
 
 namespace cvo::reports {
 namespace {
 
-constexpr Symbol kBirth = Symbol::kOpenTriangle;
-constexpr Symbol kSwitch = Symbol::kCross;
 constexpr int kDotted = 4;
 
 const BodyDetail* FindBody(const DrawnRun& run, int id) {
@@ -115,17 +112,13 @@ void AddRun(const DrawnRun& run, const BodyDetail& body, const ErrorScale& scale
                             run.variant + ", predicted"});
     legend["predicted"] = {0, Symbol::kNone, kDotted};
   }
-  const auto mark = [&](int frame, Symbol symbol, const std::string& what) {
-    look.symbol = symbol;
-    Datum datum = MarkAt(frame, body, scale);
-    datum.tip = StrCat(run.variant, ": ", what, " in frame ", frame);
-    panel.series.push_back({SeriesKind::kPoints, "", look, {std::move(datum)}});
-    legend[what] = {0, symbol};
-  };
-  const ClusterRow* birth = FindBy(run.detail.clusters, &ClusterRow::id, body.cluster);
-  if (birth != nullptr) mark(birth->frame, kBirth, "cluster begins");
+  look.symbol = Symbol::kCross;
   for (const IdentitySwitch& change : run.switches) {
-    if (change.body == body.id) mark(change.frame, kSwitch, "identity switch");
+    if (change.body != body.id) continue;
+    Datum mark = MarkAt(change.frame, body, scale);
+    mark.tip = StrCat(run.variant, ": identity switch in frame ", change.frame);
+    panel.series.push_back({SeriesKind::kPoints, "", look, {std::move(mark)}});
+    legend["identity switch"] = {0, Symbol::kCross};
   }
 }
 
@@ -182,21 +175,6 @@ Figure ErrorFigure(const DrawnScene& scene, const std::vector<const BodyDetail*>
           std::move(chart)};
 }
 
-// The mean as a line and its standard deviation as a band.
-void AddCalibrationOf(const DrawnRun& run, const Look& look, Panel& panel) {
-  Series line{SeriesKind::kLine, run.variant, look, {}};
-  for (const CameraFrame& frame : run.detail.camera) {
-    if (!frame.calibration) continue;
-    Datum datum{static_cast<double>(frame.frame), frame.calibration->Mean_px()};
-    const double sigma_px = frame.calibration->MeanSigma_px();
-    datum.y_interval = {datum.y - sigma_px, datum.y + sigma_px};
-    line.tip = StrCat(run.variant, ": ", NumberText(datum.y, 2), " ± ", NumberText(sigma_px, 2),
-                      " px in the last frame");
-    line.data.push_back(std::move(datum));
-  }
-  if (!line.data.empty()) AddWithBand(std::move(line), panel.series);
-}
-
 }  // namespace
 
 void AddErrorOverTime(const SuiteData& data, SuiteFigures& figures) {
@@ -211,35 +189,6 @@ void AddErrorOverTime(const SuiteData& data, SuiteFigures& figures) {
     }
     figures.figures.push_back(ErrorFigure(scene, bodies, palette));
   }
-}
-
-void AddCalibration(const SuiteData& data, SuiteFigures& figures) {
-  constexpr std::size_t kMaxScenes = 6;
-  const Palette palette = PaletteOfDrawn(data);
-  Chart chart;
-  chart.share_x = true;
-  std::size_t scenes = 0;
-  for (const DrawnScene& scene : GroupByScene(data.drawn)) {
-    Panel panel;
-    panel.title = scene.sequence;
-    panel.x.title = "frame";
-    panel.y.title = "mean (px)";
-    panel.aspect = 0.17;
-    for (const DrawnRun* run : scene.runs) {
-      AddCalibrationOf(*run, palette.Line(run->variant), panel);
-    }
-    if (!panel.series.empty() && ++scenes <= kMaxScenes) chart.panels.push_back(std::move(panel));
-  }
-  if (scenes == 0) return;
-  std::string caption =
-      "How much further right points lie in the right image than in a perfect pair. Bands: one "
-      "standard deviation to each side.";
-  if (scenes > kMaxScenes) {
-    caption += StrCat(" Only the first ", kMaxScenes, " of ", scenes, " sequences are shown.");
-  }
-  figures.figures.push_back({"calibration",
-                             "Estimated error of the stereo calibration: mean over the image",
-                             caption, std::move(chart)});
 }
 
 }  // namespace cvo::reports

@@ -9,8 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
-#include "reports/figures/figure_style.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite_figures.h"
 
 namespace cvo::reports {
 namespace {
@@ -182,16 +181,20 @@ Panel CurvePanel(const SweptOption& option, const Table& table, std::size_t colu
     for (const auto& [value, row] : line.points) {
       const Cell& cell = table.rows[row].cells[column];
       Datum datum{value, std::numeric_limits<double>::quiet_NaN()};
-      if (cell.present) datum.y = shown.scale * cell.value;
+      if (cell.value) datum.y = shown.scale * *cell.value;
       datum.tip = StrCat(line.label, ", ", NumberText(value), ": ", CellValueText(cell, metric));
-      if (cell.present) datum.y_interval = IntervalOf(cell.interval, shown.scale);
+      if (cell.interval) {
+        datum.y_interval = {shown.scale * cell.interval->low, shown.scale * cell.interval->high};
+      }
       curve.data.push_back(std::move(datum));
     }
     if (option.lines.size() <= kMaxBands) {
-      AddWithBand(std::move(curve), panel.series);
-    } else {
-      panel.series.push_back(std::move(curve));
+      Series& band = panel.series.emplace_back(curve);
+      band.kind = SeriesKind::kBand;
+      band.name.clear();
+      band.look.opacity = 0.18;
     }
+    panel.series.push_back(std::move(curve));
   }
   return panel;
 }

@@ -10,21 +10,9 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/figures/suite_parts.h"
-#include "reports/tables/make_table.h"
 
 namespace cvo::reports {
 namespace {
-
-// Minus the number of options, among those that the suite varies, that the run does not leave at
-// their defaults.
-int OptionsAtDefault(const PlannedRun& run, const Table& table) {
-  return -static_cast<int>(std::count_if(run.keys.begin(), run.keys.end(), [&](const auto& key) {
-    if (!IsOption(key.first)) return false;
-    const auto* option = FindBy(table.provenance.options, &ChangedOption::path, key.first);
-    return option == nullptr || option->default_value != key.second;
-  }));
-}
 
 std::set<std::string> ValuesOf(const SuitePlan& plan, const std::string& key) {
   std::set<std::string> values;
@@ -47,37 +35,15 @@ DrawnRun Describe(const SuitePlan& plan, const PlannedRun& run) {
   return drawn;
 }
 
-// The run to draw per sequence and variant.
-struct Choice {
-  std::pair<std::string, std::string> key;
-  int score = 0;
-  const SuiteRun* run = nullptr;
-  DrawnRun drawn;
-};
-
-std::vector<Choice> ChooseRuns(const SuiteData& data) {
-  std::vector<Choice> choices;
-  for (const SuiteRun& run : data.runs) {
-    if (!run.run || !run.planned.system.empty()) continue;
-    const DrawnRun drawn = Describe(data.plan, run.planned);
-    const Choice fresh{
-        {drawn.sequence, drawn.variant}, OptionsAtDefault(run.planned, data.table), &run, drawn};
-    Choice& known = FindOrAdd(choices, &Choice::key, fresh);
-    if (fresh.score > known.score) known = fresh;
-  }
-  return choices;
-}
-
 // Runs that cannot be drawn, or not in full, by the reason.
 using Reason = std::pair<std::string, std::vector<std::string>>;
 
-void ReadDrawn(Choice& choice, SuiteData& data, std::vector<Reason>& reasons) {
-  DrawnRun& drawn = choice.drawn;
+void ReadDrawn(DrawnRun drawn, const std::filesystem::path& folder, SuiteData& data,
+               std::vector<Reason>& reasons) {
   const auto add = [&](const std::string& reason) {
     FindOrAdd(reasons, &Reason::first, {reason, {}})
         .second.push_back(StrCat(drawn.sequence, " ", drawn.variant, " seed ", drawn.seed));
   };
-  const std::filesystem::path folder = choice.run->run->file.parent_path();
   try {
     drawn.detail = ReadRunDetail(folder);
     data.drawn.push_back(drawn);
@@ -92,60 +58,6 @@ void ReadDrawn(Choice& choice, SuiteData& data, std::vector<Reason>& reasons) {
   }
 }
 
-std::vector<std::string> KeysByScene(const Table& table) {
-  std::vector<std::string> keys = table.keys;
-  AddOnce<std::string>("sequence", keys);
-  return keys;
-}
-
-// Describes what identifies a row apart from its sequence.
-SeriesRows DescribeSeries(const std::vector<std::string>& keys,
-                          const std::vector<std::string>& values) {
-  SeriesRows series;
-  const auto add = [](const std::string& text, std::string& list) {
-    list += StrCat(list.empty() ? "" : ", ", text);
-  };
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    if (keys[i] == "sequence" || keys[i] == "family") continue;
-    const bool option = IsOption(keys[i]);
-    add(option ? keys[i] + " " + values[i] : values[i], series.label);
-    add(values[i], option ? series.options : series.name);
-  }
-  return series;
-}
-
-// Splits the rows of the table by sequence, in the order of the table, with differences against its
-// reference.
-std::vector<SeriesRows> SplitByScene(const SuiteData& data) {
-  Table table;
-  table.keys = KeysByScene(data.table);
-  table.columns = data.table.columns;
-  table.reference = data.table.reference;
-  SuitePlan plan = data.plan;
-  plan.rows = table.keys;
-  const std::string reference = FullReference(plan);
-  const std::vector<RowRuns> rows = GroupRuns(data.runs, table.keys);
-  AddRows(
-      rows, ".",
-      [&](const RowRuns& row) { return FindReference(rows, row, table.keys, reference); }, table);
-  const auto sequence = static_cast<std::size_t>(
-      std::find(table.keys.begin(), table.keys.end(), "sequence") - table.keys.begin());
-  std::vector<SeriesRows> series;
-  for (Row& row : table.rows) {
-    SeriesRows described = DescribeSeries(table.keys, row.keys);
-    if (described.name.empty()) described.name = OneVariant(data.plan);
-    FindOrAdd(series, &SeriesRows::label, std::move(described))
-        .scenes.push_back({row.keys[sequence], std::move(row.cells)});
-  }
-  if (table.keys.size() == data.table.keys.size()) return series;
-  for (const Row& row : data.table.rows) {
-    SeriesRows* known =
-        FindBy(series, &SeriesRows::label, DescribeSeries(data.table.keys, row.keys).label);
-    if (known != nullptr) known->all = &row;
-  }
-  return series;
-}
-
 }  // namespace
 
 SuiteData ReadSuiteData(const std::filesystem::path& folder, const Table& table) {
@@ -156,7 +68,13 @@ SuiteData ReadSuiteData(const std::filesystem::path& folder, const Table& table)
   for (const Column& column : table.columns) metrics.push_back(column.metric);
   data.runs = ReadRuns(folder, data.plan, metrics);
   std::vector<Reason> reasons;
-  for (Choice& choice : ChooseRuns(data)) ReadDrawn(choice, data, reasons);
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const SuiteRun& run : data.runs) {
+    if (!run.run || !run.planned.system.empty()) continue;
+    const DrawnRun drawn = Describe(data.plan, run.planned);
+    if (!seen.emplace(drawn.sequence, drawn.variant).second) continue;
+    ReadDrawn(drawn, run.run->file.parent_path(), data, reasons);
+  }
   for (const auto& [reason, runs] : reasons) {
     data.not_drawn.push_back(
         StrCat(reason, " (", runs.front(),
@@ -211,40 +129,12 @@ void Track::Add(int frame, double x, double y) {
   last = frame;
 }
 
-void AddWithBand(Series line, std::vector<Series>& series) {
-  Series band = line;
-  band.kind = SeriesKind::kBand;
-  band.name.clear();
-  band.look.opacity = 0.18;
-  series.push_back(std::move(band));
-  series.push_back(std::move(line));
-}
-
-std::optional<ValueRange> IntervalOf(const std::optional<Interval>& interval, double scale,
-                                     double base) {
-  if (!interval) return std::nullopt;
-  return ValueRange{base + scale * interval->low, base + scale * interval->high};
-}
-
 SuiteFigures MakeSuiteFigures(const SuiteData& data) {
-  constexpr std::size_t kMaxSceneRows = 400;
   SuiteFigures figures;
-  const std::size_t rows = GroupRuns(data.runs, KeysByScene(data.table)).size();
-  if (rows <= kMaxSceneRows) {
-    const std::vector<SeriesRows> series = SplitByScene(data);
-    AddErrorReduction(data, series, figures);
-    AddErrorOverCoverage(data, series, figures);
-  } else {
-    figures.not_drawn.push_back(
-        StrCat("Change in error by sequence, and error over coverage: ", rows,
-               " rows of the table by sequence, at most ", kMaxSceneRows, " can be read."));
-  }
-  AddWaterfall(data, figures);
+  AddErrorChange(data, figures);
   AddSensitivity(data, figures);
   AddErrorOverTime(data, figures);
   AddTrajectories(data, figures);
-  AddCalibration(data, figures);
-  AddStageTimes(data, figures);
   // Names of sequences that differ only in punctuation give figures the same name.
   std::map<std::string, int> seen;
   for (Figure& figure : figures.figures) {

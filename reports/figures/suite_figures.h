@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/record/suite_runs.h"
-#include "reports/chart/chart.h"
+#include "reports/figures/figure_style.h"
 #include "reports/runs/run_detail.h"
 #include "reports/tables/table.h"
 
@@ -33,8 +33,7 @@ struct SuiteData {
 };
 
 // Reads the runs that the table was made from and, frame by frame, one run per sequence and
-// variant: the first in the plan whose options are at, or nearest to, their defaults. `folder` is
-// the output folder of the suite.
+// variant: the first in the plan. `folder` is the output folder of the suite.
 SuiteData ReadSuiteData(const std::filesystem::path& folder, const Table& table);
 
 // A chart with its texts, which the chart itself lacks: a page writes them as HTML, a file draws
@@ -53,5 +52,44 @@ struct SuiteFigures {
 
 // Draws every figure that the data allow. This depends on what the data contain, not on names.
 SuiteFigures MakeSuiteFigures(const SuiteData& data);
+
+// ---- What the kinds of figures share, and the function that adds each kind.
+
+bool IsOption(const std::string& key);  // other keys identify inputs and estimators
+
+// The variant of all runs, or "all variants" if there are several.
+std::string OneVariant(const SuitePlan& plan);
+
+// The palette of the variants of a suite, followed by other names.
+Palette PaletteOf(const SuitePlan& plan, const std::vector<std::string>& others = {});
+Palette PaletteOfDrawn(const SuiteData& data);
+
+// The drawn runs of one sequence, one per variant.
+struct DrawnScene {
+  std::string sequence;
+  std::vector<const DrawnRun*> runs;
+};
+// In the order of the data, which must outlive the result.
+std::vector<DrawnScene> GroupByScene(const std::vector<DrawnRun>& runs);
+
+// What the titles of figures of a scene end with: its seeds, and how the truth is aligned.
+std::string SceneText(const DrawnScene& scene);
+
+// Values over frames, or places along a path. Frames that are left out are a gap.
+struct Track {
+  std::vector<Datum> data = {};
+  int last = 0;
+
+  void Add(int frame, double x, double y);
+};
+
+// Each of these functions adds the figures of its kind, or says why there are none.
+
+// Change in error by sequence, against the reference of the table.
+void AddErrorChange(const SuiteData& data, SuiteFigures& figures);
+// Metrics over the value of an option, with their coverage.
+void AddSensitivity(const SuiteData& data, SuiteFigures& figures);
+void AddErrorOverTime(const SuiteData& data, SuiteFigures& figures);
+void AddTrajectories(const SuiteData& data, SuiteFigures& figures);
 
 }  // namespace cvo::reports

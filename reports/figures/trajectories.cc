@@ -6,8 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/figures/figure_style.h"
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite_figures.h"
 
 namespace cvo::reports {
 namespace {

@@ -18,7 +18,12 @@ namespace fs = std::filesystem;
 
 void CheckJobs(const Baseline& baseline, const std::string& where) {
   std::set<std::string> metrics;
-  for (const BaselineMetric& metric : baseline.metrics) metrics.insert(metric.name);
+  for (const BaselineMetric& metric : baseline.metrics) {
+    if (FindEntry(metric.name) == nullptr) {
+      ThrowError(where + ", metric " + metric.name, "no rule", "a metric that the gate knows");
+    }
+    metrics.insert(metric.name);
+  }
   std::set<std::pair<RunKeys, std::uint64_t>> seen;
   std::size_t values = 0;
   for (const BaselineJob& job : baseline.jobs) {
@@ -71,7 +76,8 @@ void AddContract(const RunSummary& run, const MetricValue& value, BaselineMetric
 std::vector<BaselineMetric> CollectMetrics(const GateRuns& runs, const std::string& where) {
   std::vector<BaselineMetric> metrics;
   for (const std::string& name : runs.metrics) {
-    BaselineMetric metric{name, MetricUnit::kOne, {}};
+    const bool higher = FindEntry(name)->higher_is_better();
+    BaselineMetric metric{name, MetricUnit::kOne, {}, higher ? "higher" : "lower"};
     for (const SuiteRun& run : runs.runs) {
       const MetricValue* value = FindMetric(*run.run, name);
       if (value != nullptr) AddContract(*run.run, *value, metric);
@@ -137,12 +143,6 @@ std::map<std::string, double> TimeRatios(const fs::path& folder,
 }
 
 }  // namespace
-
-const char* BaselineMetric::Better(const std::string& name) {
-  const MetricEntry* entry = FindEntry(name);
-  if (!entry) ThrowError("baseline, metric " + name, "no rule", "a metric that the gate knows");
-  return entry->higher_is_better() ? "higher" : "lower";
-}
 
 Baseline ReadBaseline(const fs::path& file) {
   auto baseline = ReadRecord<Baseline>(file);

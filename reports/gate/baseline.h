@@ -19,17 +19,9 @@ struct BaselineMetric {
   std::string name;  // a name that FindEntry knows
   MetricUnit unit = MetricUnit::kOne;
   std::map<std::string, Contract> contracts;  // by dataset type
+  std::string better = {};                    // "higher" or "lower": for human readers
 
-  // Returns "higher" or "lower". Throws Error for a metric that the gate does not know.
-  static const char* Better(const std::string& name);
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("unit", self.unit);
-    archive.Constant("better", Better(self.name));
-    archive.Field("contracts", self.contracts);
-  }
+  CVO_FIELDS(name, unit, better, contracts);
 };
 
 // The results of one run when the baseline was written.
@@ -44,17 +36,8 @@ struct BaselineJob {
   std::map<std::string, double> values;  // by metric, without those that the run lacks
   std::optional<double> time_ratio;      // estimate time divided by that of kTimeReference
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("keys", self.keys);
-    archive.Field("seed", self.seed);
-    archive.Field("type", self.type);
-    archive.Field("content", self.content);
-    archive.Optional("frames", self.frames);
-    archive.Field("status", self.status);
-    archive.Field("values", self.values);
-    archive.Optional("time_ratio", self.time_ratio);
-  }
+  CVO_RECORD(CVO_FIELD(keys, seed, type, content) CVO_OPTIONAL(frames) CVO_FIELD(status, values)
+                 CVO_OPTIONAL(time_ratio));
 };
 
 struct BaselineBuild {
@@ -62,12 +45,7 @@ struct BaselineBuild {
   std::string commit;    // for human readers
   std::string platform;  // BuildInfo::Platform; absent from older files
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("identity", self.identity);
-    archive.Field("commit", self.commit);
-    archive.Optional("platform", self.platform);
-  }
+  CVO_RECORD(CVO_FIELD(identity, commit) CVO_OPTIONAL(platform));
 };
 
 // The reference with which later runs of a suite are compared.
@@ -83,14 +61,7 @@ struct Baseline {
   std::vector<BaselineMetric> metrics;
   std::vector<BaselineJob> jobs;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("suite", self.suite);
-    archive.Field("build", self.build);
-    archive.Field("seeds", self.seeds);
-    archive.Field("metrics", self.metrics);
-    archive.Field("jobs", self.jobs);
-  }
+  CVO_FIELDS(suite, build, seeds, metrics, jobs);
 };
 
 // Throws Error naming the file and the field for another schema, an incomplete file, an unknown

@@ -106,7 +106,7 @@ void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Ma
     return std::isfinite(scaled) ? static_cast<int>(std::lround(std::clamp(scaled, -1e4, 3e4)))
                                  : -10000;
   };
-  for (const PixelBox& box : frame.detections) {
+  for (const ImageBox& box : frame.detections) {
     const cv::Point a(pixel(box.left_px), pixel(box.top_px));
     const cv::Point b(pixel(box.right_px), pixel(box.bottom_px));
     cv::rectangle(picture, a, b, Bgr(kDark), 3);
@@ -117,7 +117,7 @@ void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Ma
 // Landmarks on bodies, which matter most, are drawn last; wrong labels get a white ring.
 void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& picture) {
   for (const bool on_body : {false, true}) {
-    for (const LandmarkRow& landmark : frame.landmarks) {
+    for (const LabelledLandmark& landmark : frame.landmarks) {
       const bool wrong = style.wrong && landmark.wrong;
       if ((landmark.label > kStaticLabel || wrong) != on_body) continue;
       const cv::Point2d at((landmark.u_px + 0.5) * style.scale - 0.5,
@@ -284,7 +284,7 @@ void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const Ove
 }
 
 std::string StatusText(const OverlayFrame& frame) {
-  const auto wrong = std::ranges::count(frame.landmarks, true, &LandmarkRow::wrong);
+  const auto wrong = std::ranges::count(frame.landmarks, true, &LabelledLandmark::wrong);
   return StrCat(frame.run, "  frame ", frame.frame, "  ", FormatFixed(frame.time_s, 2), " s  ",
                 frame.status, "  ", Counted(frame.clusters.size(), "body", "bodies"), "  ",
                 Counted(frame.landmarks.size(), "landmark"),

@@ -41,7 +41,7 @@ void ReadHead(const fs::path& file, OverlayRun& run) {
 std::map<std::int64_t, std::int64_t> BodiesOfClusters(const OverlayRun& run) {
   std::map<std::int64_t, std::map<std::int64_t, int>> seen;
   for (const auto& [frame, landmarks] : run.landmarks) {
-    for (const LandmarkRow& landmark : landmarks) {
+    for (const LabelledLandmark& landmark : landmarks) {
       if (landmark.label > kStaticLabel && landmark.truth_body > 0) {
         ++seen[landmark.label][landmark.truth_body];
       }
@@ -57,10 +57,10 @@ std::map<std::int64_t, std::int64_t> BodiesOfClusters(const OverlayRun& run) {
   return bodies;
 }
 
-using Rows = std::span<const ClusterRow>;
+using Rows = std::span<const ObjectRow>;
 
-Rows RowsOfFrame(const std::vector<ClusterRow>& rows, int frame) {
-  const auto [first, last] = std::ranges::equal_range(rows, frame, {}, &ClusterRow::frame);
+Rows RowsOfFrame(const std::vector<ObjectRow>& rows, int frame) {
+  const auto [first, last] = std::ranges::equal_range(rows, frame, {}, &ObjectRow::frame);
   return {first, last};
 }
 
@@ -70,35 +70,32 @@ double Seconds(const CameraFrame& from, const CameraFrame& to) {
 
 // The positions in world, oldest first, of the point that is the cluster's centre in frame `index`,
 // in the uninterrupted frames before it and in this one.
-std::vector<Eigen::Vector3d> TailOf(const RunDetail& run, std::size_t index,
-                                    const ClusterRow& row) {
-  const Eigen::Vector3d center_in_object = TransformOf(row.object_from_box).translation();
+std::vector<Eigen::Vector3d> TailOf(const RunDetail& run, std::size_t index, const ObjectRow& row) {
+  const Eigen::Vector3d center_in_object = row.object_from_box.translation();
   std::vector<Eigen::Vector3d> tail;
   for (std::size_t i = index + 1; i-- > 0;) {
     const Rows rows = RowsOfFrame(run.clusters, run.camera[i].frame);
-    const ClusterRow* there = FindBy(rows, &ClusterRow::id, row.id);
+    const ObjectRow* there = FindBy(rows, &ObjectRow::id, row.id);
     if (there == nullptr || Seconds(run.camera[i], run.camera[index]) > kTail_s + 1e-6) break;
-    tail.push_back(TransformOf(there->world_from_object) * center_in_object);
+    tail.push_back(there->WorldFromObject() * center_in_object);
   }
   std::reverse(tail.begin(), tail.end());
   return tail;
 }
 
-ClusterShape ShapeOf(const RunDetail& run, std::size_t index, const ClusterRow& row) {
+ClusterShape ShapeOf(const RunDetail& run, std::size_t index, const ObjectRow& row) {
   const RigidTransform camera_from_world =
       TransformOf(run.camera[index].world_from_camera).Inverse();
   const RigidTransform camera_from_box =
-      camera_from_world * TransformOf(row.world_from_object) * TransformOf(row.object_from_box);
+      camera_from_world * row.WorldFromObject() * row.object_from_box;
   ClusterShape shape;
   shape.id = row.id;
   shape.category = row.category;
-  shape.predicted = row.predicted;
+  shape.predicted = row.predicted();
   for (unsigned i = 0; i < 8; ++i) {
     const Eigen::Vector3d side((i & 1U) != 0 ? 0.5 : -0.5, (i & 2U) != 0 ? 0.5 : -0.5,
                                (i & 4U) != 0 ? 0.5 : -0.5);
-    const Eigen::Vector3d corner =
-        side.cwiseProduct(Eigen::Map<const Eigen::Vector3d>(row.size_m.data()));
-    shape.corners[i] = camera_from_box * corner;
+    shape.corners[i] = camera_from_box * side.cwiseProduct(row.size_m);
   }
   for (const Eigen::Vector3d& p_in_world : TailOf(run, index, row)) {
     shape.tail.push_back(camera_from_world * p_in_world);
@@ -163,7 +160,7 @@ void MarkWrongLabels(OverlayRun& run) {
   }
   const std::map<std::int64_t, std::int64_t> bodies = BodiesOfClusters(run);
   for (auto& [frame, landmarks] : run.landmarks) {
-    for (LandmarkRow& landmark : landmarks) {
+    for (LabelledLandmark& landmark : landmarks) {
       if (landmark.truth_body < 0) continue;
       run.has_truth = true;
       const auto body = bodies.find(landmark.label);
@@ -197,7 +194,7 @@ OverlayFrame FrameOf(const OverlayRun& run, int frame) {
     drawn.detections = boxes->second;
   }
   const auto index = static_cast<std::size_t>(found - camera.begin());
-  for (const ClusterRow& row : RowsOfFrame(run.detail.clusters, frame)) {
+  for (const ObjectRow& row : RowsOfFrame(run.detail.clusters, frame)) {
     drawn.clusters.push_back(ShapeOf(run.detail, index, row));
   }
   return drawn;

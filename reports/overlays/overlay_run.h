@@ -31,13 +31,6 @@ Rgb ClusterColor(std::int64_t id);
 // A pose as stored in result files.
 RigidTransform TransformOf(const Pose& pose);
 
-struct PixelBox {
-  double left_px = 0.0;
-  double top_px = 0.0;
-  double right_px = 0.0;
-  double bottom_px = 0.0;
-};
-
 // A cluster as seen in one frame. Points are in the camera frame, in metres.
 struct ClusterShape {
   std::int64_t id = 0;
@@ -58,9 +51,9 @@ struct OverlayFrame {
   std::string status;   // tracking status of the camera
   std::string run;      // "full, seed 1"
   bool has_truth = false;
-  std::vector<LandmarkRow> landmarks;
+  std::vector<LabelledLandmark> landmarks;
   std::vector<ClusterShape> clusters;
-  std::vector<PixelBox> detections;
+  std::vector<ImageBox> detections;
 };
 
 // What can be drawn of a run, read from its folder.
@@ -72,7 +65,7 @@ struct OverlayRun {
   RunDetail detail;
   bool has_truth = false;  // the true bodies of landmarks are known
   LandmarksByFrame landmarks;
-  std::map<int, std::vector<PixelBox>> detections;  // by frame; not read from the folder
+  std::map<int, std::vector<ImageBox>> detections;  // by frame; not read from the folder
   std::vector<std::string> missing;                 // what the drawing lacks, one line each
 };
 

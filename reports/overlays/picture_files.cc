@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <opencv2/core/utils/logger.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <system_error>
 
 #include "core/base/error.h"
+#include "core/files/images/image_file.h"
 #include "reports/overlays/canvas.h"
 
 namespace cvo::reports {
@@ -24,16 +24,6 @@ constexpr Format kFormats[] = {{"MP4 (H.264)", ".mp4", "avc1", cv::CAP_FFMPEG},
                                {"WebM (VP9)", ".webm", "VP90", cv::CAP_FFMPEG},
                                {"WebM (VP8)", ".webm", "VP80", cv::CAP_FFMPEG},
                                {"AVI (Motion JPEG)", ".avi", "MJPG", cv::CAP_OPENCV_MJPEG}};
-
-std::string Encoded(const char* extension, const cv::Mat& image, const std::vector<int>& settings) {
-  std::vector<unsigned char> bytes;
-  try {
-    if (cv::imencode(extension, image, bytes, settings)) return {bytes.begin(), bytes.end()};
-  } catch (const cv::Exception&) {  // reported below
-  }
-  ThrowError(StrCat("an image to write as ", extension),
-             StrCat(image.cols, "x", image.rows, " pixels"), "one that OpenCV can write");
-}
 
 }  // namespace
 
@@ -74,11 +64,12 @@ std::vector<std::size_t> EvenlySpaced(std::size_t count, std::size_t most) {
 }
 
 std::string PngBytes(const cv::Mat& image) {
-  return Encoded(".png", image, {cv::IMWRITE_PNG_COMPRESSION, 6});
+  return EncodeImage(".png", image, {cv::IMWRITE_PNG_COMPRESSION, 6});
 }
 
 std::string JpegBytes(const cv::Mat& image, int quality) {
-  return Encoded(".jpg", image, {cv::IMWRITE_JPEG_QUALITY, quality, cv::IMWRITE_JPEG_OPTIMIZE, 1});
+  return EncodeImage(".jpg", image,
+                     {cv::IMWRITE_JPEG_QUALITY, quality, cv::IMWRITE_JPEG_OPTIMIZE, 1});
 }
 
 VideoFile::VideoFile(const std::filesystem::path& stem, cv::Size size, double frames_per_second)

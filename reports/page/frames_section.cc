@@ -93,17 +93,17 @@ BodyErrors ErrorsOf(const RunDetail& detail) {
 std::vector<Path> ClusterPaths(const RunDetail& detail) {
   const BodyErrors errors = ErrorsOf(detail);
   std::map<std::int64_t, Path> paths;
-  for (const ClusterRow& row : detail.clusters) {
+  for (const ObjectRow& row : detail.clusters) {
     const std::string category = row.category.empty() ? "" : " (" + row.category + ")";
     Path& path = paths
                      .try_emplace(row.id, Path{"cluster", StrCat("cluster ", row.id, category),
                                                "hidden, predicted", Hex(ClusterColor(row.id))})
                      .first->second;
-    const Eigen::Vector3d center =
-        TransformOf(row.world_from_object) * TransformOf(row.object_from_box).translation();
+    const Eigen::Vector3d center = row.WorldFromObject() * row.object_from_box.translation();
     const auto error = errors.find({row.id, row.frame});
     path.Add({row.frame, center[0], center[2],
-              error == errors.end() ? std::nullopt : std::optional(error->second), row.predicted});
+              error == errors.end() ? std::nullopt : std::optional(error->second),
+              row.predicted()});
   }
   std::vector<Path> list;
   for (auto& [id, path] : paths) list.push_back(std::move(path));

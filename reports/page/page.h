@@ -70,8 +70,7 @@ PageContent ReadPage(const PageRequest& request);
 
 // Chooses at most `most` runs to be shown frame by frame: per sequence the lowest seed of each
 // estimator, those with images first. Images are shown for one estimator per sequence: `full`, else
-// the reference of the table, else the first one of the sequence. If there are more than `most`
-// runs, failures come first: those with the smallest share of frames of moving bodies within 10 cm.
+// the reference of the table, else the first one of the sequence.
 void ChooseScenes(std::size_t most, PageContent& content);
 
 // One self-contained page, which needs no network. The same content gives the same bytes. All

@@ -23,7 +23,6 @@ constexpr std::pair<const char*, const char*> kTerms[] = {
      "part."},
     {"cluster", "A set of landmarks that move together: the estimate of one object."},
     {"landmark", "A point in the scene that is seen in the images."},
-    {"sequence", "A recorded or rendered image sequence with its ground truth."},
     {"seed",
      "Initial value of the random number generator. Runs that differ only in the seed show the "
      "random variation."},
@@ -34,9 +33,6 @@ constexpr std::pair<const char*, const char*> kTerms[] = {
      "What scenes are used for: options were chosen on development scenes, results are reported "
      "on test scenes. Recorded images are given."},
     {"pair", "A scene (or body of a single scene) that is present in both rows of a difference."},
-    {"occluded, predicted",
-     "Hidden by another object; its pose is then given only by the motion model."},
-    {"left out", "What is excluded from a value, and why."},
 };
 
 // The hash by which a Content-Security-Policy names the only script that may run.
@@ -55,8 +51,8 @@ std::string TableSection(const PageContent& content) {
     return html + "<p class=\"problem\">There is no table: see above.</p>\n</section>\n";
   }
   html +=
-      "<p>Each value is a mean, with its 95 % interval and the number of bodies or scenes below "
-      "it. A star marks a significant difference from the reference. Grey rows are published "
+      "<p>Each value is a mean, with its 95 % interval below it. A star marks a significant "
+      "difference from the reference. Grey rows are published "
       "results of others, with their sources in the notes below; values in brackets are not "
       "comparable with ours. Select a heading to sort by it.</p>\n";
   return html + ResultTable(*content.table, "table") + "</section>\n";

@@ -8,7 +8,6 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "reports/page/page.h"
-#include "reports/tables/cells.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo::reports {
@@ -28,23 +27,20 @@ void Try(const std::string& what, std::vector<std::string>& problems,
   }
 }
 
-// Adds a fact, or one fact per member of an object.
+// Adds a fact that is known, or one for each member of an object.
 void AddFact(std::string name, const Json& value, std::vector<Fact>& facts) {
   if (value.is_object()) {
     for (const auto& [part, of_part] : value.items()) AddFact(part, of_part, facts);
     return;
   }
   std::replace(name.begin(), name.end(), '_', ' ');
-  facts.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
+  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  if (!text.empty()) facts.emplace_back(name, text);
 }
 
-// What produced a result: the program (result.json) and the machine (timing.json).
+// What produced a result: the program and the machine.
 void ReadOrigin(const fs::path& run_folder, PageRun& run) {
-  Try("", run.missing, [&] {
-    const Json json =
-        ReadJson(run_folder / "result.json", {"bodies", "clusters", "frames", "metrics"});
-    if (json.contains("build")) AddFact("build", json["build"], run.build);
-  });
+  AddFact("build", ToJson(run.run.run->build), run.build);
   Try("", run.missing, [&] {
     const Json json = ReadJson(run_folder / "timing.json", {"frames"});
     for (const char* name : {"host", "cpu", "cpus", "threads"}) {
@@ -66,8 +62,9 @@ void ReadSuite(const PageRequest& request, PageContent& content) {
   }
   for (SuiteRun& run : ReadRuns(request.folder, plan, {})) {
     PageRun& described = content.runs.emplace_back();
-    if (run.run) ReadOrigin(request.folder / "jobs" / run.planned.job, described);
     described.run = std::move(run);
+    if (!described.run.run) continue;
+    ReadOrigin(request.folder / "jobs" / described.run.planned.job, described);
   }
 }
 
@@ -139,32 +136,12 @@ int Rank(const PageRun& run, const std::string& reference) {
   return variant == reference || "variant=" + variant == reference ? 1 : 2;
 }
 
-// The share of frames of moving bodies that the run estimates within 10 cm; 1 if it has no moving
-// body.
-double SuccessOf(const PageRun& run) {
-  const BodyMetric success = *FindBodyMetric("object_success_10cm");
-  Part total = {0.0, 0.0};
-  if (!run.run.run->bodies) return 1.0;
-  for (const BodyRow& body : run.run.run->bodies->refined) {
-    const std::optional<Part> part = PartOf(success, body);
-    if (!part) continue;
-    total.sum += part->sum;
-    total.weight += part->weight;
-  }
-  return total.weight > 0.0 ? total.sum / total.weight : 1.0;
-}
-
 }  // namespace
 
 void ChooseScenes(std::size_t most, PageContent& content) {
   const std::vector<PageRun>& runs = content.runs;
   const std::string reference = content.table ? content.table->reference : "";
-  std::vector<std::size_t> candidates = FirstSeeds(runs);
-  if (candidates.size() > most) {
-    std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
-      return SuccessOf(runs[a]) < SuccessOf(runs[b]);
-    });
-  }
+  const std::vector<std::size_t> candidates = FirstSeeds(runs);
   std::map<std::string, std::size_t> with_images;  // by sequence
   for (const std::size_t i : candidates) {
     const auto [entry, added] = with_images.try_emplace(KeyOf(runs[i].run.planned, "sequence"), i);

@@ -17,13 +17,12 @@ std::string Span(const char* kind, const std::string& text) {
 // The number behind a cell, for sorting.
 std::optional<double> NumberOf(const Table& table, const TextLine& line, std::size_t column,
                                bool differences) {
-  if (line.reference) {
-    const auto& others = line.row ? table.rows[*line.row].reference : table.others;
-    const std::optional<ReferenceCell>& cell = others[*line.reference].cells[column];
-    return cell ? std::optional(cell->value) : std::nullopt;
+  if (line.theirs != nullptr) {
+    const ReferenceCell* cell = line.theirs->Find(table.columns[column]);
+    return cell != nullptr ? std::optional(cell->value) : std::nullopt;
   }
-  const Cell& cell = table.rows[*line.row].cells[column];
-  if (!differences) return cell.present ? std::optional(cell.value) : std::nullopt;
+  const Cell& cell = line.row->cells[column];
+  if (!differences) return cell.value;
   return cell.difference ? std::optional(cell.difference->difference) : std::nullopt;
 }
 
@@ -38,15 +37,14 @@ std::string CellHtml(const CellText& cell, const std::optional<double>& number) 
   html += Span("value", cell.Shown());
   if (cell.distinguishable) html += "<abbr class=\"star\" title=\"significant\">*</abbr>";
   return html + Span("small", cell.interval) + Span("small", cell.percent) +
-         Span("small", cell.percent_interval) + Span("small", cell.units) +
-         Span("reason", cell.note) + "</td>";
+         Span("small", cell.percent_interval) + Span("reason", cell.note) + "</td>";
 }
 
 // The keys of a row are header cells; the other texts at the left are not. Figures of others stay
 // with the row above them.
 std::string LineHtml(const Table& table, const TextLine& line, bool differences) {
   std::string html = StrCat("<tr class=\"", line.grey ? "grey" : "",
-                            line.reference && line.row ? " below" : "", "\">");
+                            line.theirs != nullptr && line.row != nullptr ? " below" : "", "\">");
   for (std::size_t i = 0; i < line.texts.size(); ++i) {
     const bool name = i < table.keys.size() && !line.texts[i].empty();
     html += StrCat(name ? "<th scope=\"row\">" : "<td>", Escaped(line.texts[i]),

@@ -43,94 +43,32 @@ std::string FindingHtml(const std::string& name, const std::string& verdict, con
                 "<span class=\"verdict\">", verdict, "</span>: ", Escaped(text), ".</li>\n");
 }
 
-// The columns in which a row differs from its reference, by VerdictText.
-struct RowFindings {
-  std::map<std::string, std::vector<std::string>> names;
-  std::map<std::string, std::string> items;  // HTML of the significant ones
-};
-
-RowFindings FindingsOf(const Row& row, const Table& table, const std::string& reference) {
-  RowFindings found;
-  for (std::size_t i = 0; i < row.cells.size(); ++i) {
-    const auto& difference = row.cells[i].difference;
-    if (!difference) continue;
-    const Column& column = table.columns[i];
-    const std::string name = NameOf(column, table);
-    const std::string verdict = VerdictText(*difference, column.metric);
-    found.names[verdict].push_back(name);
-    if (!difference->distinguishable) continue;
-    found.items[verdict] += FindingHtml(name, verdict, column, *difference, reference);
-  }
-  return found;
-}
-
-std::string Headline(const RowFindings& found) {
-  std::vector<std::string> parts;
-  std::size_t all = 0;
-  for (const auto& [verdict, names] : found.names) {
-    all += names.size();
-    if (!found.items.contains(verdict)) continue;
-    parts.push_back(StrCat(verdict == "differs" ? "different" : verdict, " in ", names.size()));
-  }
-  if (!parts.empty()) return StrCat(Listed(parts), " of ", Counted(all, "metric"));
-  const std::string& last = found.names.rbegin()->first;
-  const bool undecided = last.starts_with("undecided") && !found.names.contains("not significant");
-  return undecided ? last : "no significant difference";
-}
-
-std::string RowHtml(const RowFindings& found, const std::string& label) {
-  std::string html = Element("h3", StrCat(label, ": ", Headline(found))) + "\n";
-  if (!found.items.empty()) html += "<ul class=\"findings\">\n";
-  for (const char* verdict : {"worse", "better", "differs"}) {
-    if (found.items.contains(verdict)) html += found.items.at(verdict);
-  }
-  if (!found.items.empty()) html += "</ul>\n";
-  for (const auto& [verdict, names] : found.names) {
-    if (found.items.contains(verdict)) continue;
-    html += StrCat("<p class=\"unclear\">", Capitalised(verdict), ": ", Escaped(Listed(names)),
-                   ".</p>\n");
-  }
-  return html;
-}
-
-constexpr std::size_t kNamed = 12;  // any more are only counted
-
-// The values of a key, in the order of the plan.
-std::vector<std::string> ValuesOf(const std::vector<PageRun>& runs, const std::string& key) {
-  std::vector<std::string> values;
+// "3 sequences (a, b and c)"; many values are only counted.
+std::string ValuesText(const std::vector<PageRun>& runs, const std::string& key, const char* name) {
+  constexpr std::size_t kNamed = 12;
+  std::vector<std::string> values;  // in the order of the plan
   for (const PageRun& run : runs) AddOnce(KeyOf(run.run.planned, key), values);
-  return values;
-}
-
-std::string Named(const std::vector<std::string>& values) {
-  if (values.size() <= kNamed) return Listed(values);
-  std::vector<std::string> first(values.begin(), values.begin() + kNamed);
-  first.push_back(StrCat(values.size() - kNamed, " more"));
-  return Listed(first);
+  const std::string count = Counted(values.size(), name);
+  return values.size() > kNamed ? count : StrCat(count, " (", Listed(values), ")");
 }
 
 std::string ComparedText(const PageContent& content, const Table& table) {
-  std::string text;
+  std::vector<std::string> parts;
   for (const std::string& key : table.keys) {
-    if (key == "sequence" || key == "family") continue;
-    const std::vector<std::string> values = ValuesOf(content.runs, key);
-    const std::string counted = key == "variant"
-                                    ? Counted(values.size(), "variant")
-                                    : StrCat(Counted(values.size(), "value"), " of ", key);
-    text += StrCat(text.empty() ? "Compares " : ", ", counted, " (", Named(values), ")");
+    if (key == "sequence" || key == "family" || key == "variant") continue;
+    parts.push_back(ValuesText(content.runs, key, "value") + " of " + key);
   }
   std::set<std::uint64_t> seeds;
   for (const PageRun& run : content.runs) seeds.insert(run.run.planned.seed);
-  const std::vector<std::string> sequences = ValuesOf(content.runs, "sequence");
+  parts.insert(parts.begin(), {ValuesText(content.runs, "variant", "variant"),
+                               ValuesText(content.runs, "sequence", "sequence")});
+  parts.push_back(Counted(seeds.size(), "seed"));
   std::set<std::string> splits;
   for (const Row& row : table.rows) {
-    if (!row.split.empty()) splits.insert(row.split);
+    if (!row.split.empty()) splits.insert("split " + row.split);
   }
-  return StrCat(text.empty() ? "On " : text + " on ", Counted(sequences.size(), "sequence"), " (",
-                Named(sequences), sequences.size() == 1 ? ") with " : "), each with ",
-                Counted(seeds.size(), "seed"), ".",
-                splits.empty() ? "" : " Split: ", Listed({splits.begin(), splits.end()}),
-                splits.empty() ? "" : ".");
+  parts.insert(parts.end(), splits.begin(), splits.end());
+  return Joined(parts, "; ") + ".";
 }
 
 std::string RuleText(const std::string& reference) {
@@ -148,18 +86,32 @@ std::string RuleText(const std::string& reference) {
 
 std::string FindingsHtml(const Table& table, const std::string& reference) {
   std::string html;
-  std::vector<std::string> unchanged;
   for (const Row& row : table.rows) {
-    const RowFindings found = FindingsOf(row, table, reference);
-    if (found.names.empty()) continue;
-    if (found.names.size() == 1 && found.names.contains("the same")) {
-      unchanged.push_back(RowLabel(row));
-    } else {
-      html += RowHtml(found, RowLabel(row));
+    std::map<std::string, std::vector<std::string>> columns;  // by verdict
+    std::map<std::string, std::string> found;                 // significant ones, by verdict
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const auto& difference = row.cells[i].difference;
+      if (!difference) continue;
+      const Column& column = table.columns[i];
+      const std::string name = NameOf(column, table);
+      const std::string verdict = VerdictText(*difference, column.metric);
+      columns[verdict].push_back(name);
+      if (!difference->distinguishable) continue;
+      found[verdict] += FindingHtml(name, verdict, column, *difference, reference);
     }
-  }
-  if (!unchanged.empty()) {
-    html += Element("p", "The same in every metric: " + Listed(unchanged) + ".") + "\n";
+    if (columns.empty()) continue;
+    const std::string counts = Joined(columns, ", ", [](const auto& of_verdict) {
+      return StrCat(of_verdict.second.size(), " ", of_verdict.first);
+    });
+    html += Element("h3", StrCat(RowLabel(row), ": ", counts)) + "\n";
+    if (!found.empty()) html += "<ul class=\"findings\">\n";
+    for (const auto& [verdict, items] : found) html += items;
+    if (!found.empty()) html += "</ul>\n";
+    for (const auto& [verdict, names] : columns) {
+      if (found.contains(verdict)) continue;
+      html += StrCat("<p class=\"unclear\">", Capitalised(verdict), ": ", Escaped(Listed(names)),
+                     ".</p>\n");
+    }
   }
   return html;
 }

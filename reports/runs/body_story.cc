@@ -20,9 +20,10 @@ namespace {
 using LabelCounts = std::map<std::int64_t, int>;
 
 // Returns for each cluster of a frame the number of its landmarks by body.
-std::map<std::int64_t, LabelCounts> BodiesOfClusters(const std::vector<LandmarkRow>& landmarks) {
+std::map<std::int64_t, LabelCounts> BodiesOfClusters(
+    const std::vector<LabelledLandmark>& landmarks) {
   std::map<std::int64_t, LabelCounts> bodies;
-  for (const LandmarkRow& landmark : landmarks) {
+  for (const LabelledLandmark& landmark : landmarks) {
     if (landmark.label > 0 && landmark.truth_body >= 0) {
       ++bodies[landmark.label][landmark.truth_body];
     }
@@ -64,9 +65,9 @@ BodyStage StageOf(const BodyFrame& frame, const BodyDetail& body) {
   return BodyStage::kLabel;
 }
 
-void CountLandmarks(const std::vector<LandmarkRow>& landmarks, const BodyDetail& body,
+void CountLandmarks(const std::vector<LabelledLandmark>& landmarks, const BodyDetail& body,
                     BodyFrame& frame) {
-  for (const LandmarkRow& landmark : landmarks) {
+  for (const LabelledLandmark& landmark : landmarks) {
     if (landmark.truth_body == body.id) ++frame.landmarks[landmark.label];
   }
   const std::map<std::int64_t, LabelCounts> clusters = BodiesOfClusters(landmarks);
@@ -196,10 +197,10 @@ BodyStage BodyStory::Cause() const {
 
 BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const LandmarksByFrame& landmarks,
                     const Detected& detected) {
-  static const std::vector<LandmarkRow> kNone;
+  static const std::vector<LabelledLandmark> kNone;
   std::set<std::pair<int, std::int64_t>> reported;
-  for (const ClusterRow& row : run.clusters) {
-    if (!row.predicted) reported.emplace(row.frame, row.id);
+  for (const ObjectRow& row : run.clusters) {
+    if (!row.predicted()) reported.emplace(row.frame, row.id);
   }
   std::map<int, double> errors_m;
   for (const BodyPosition& position : body.estimated) errors_m[position.frame] = position.error_m;
@@ -209,7 +210,7 @@ BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const Landmark
     BodyFrame frame;
     frame.frame = number;
     const auto seen = landmarks.find(number);
-    const std::vector<LandmarkRow>& labelled = seen == landmarks.end() ? kNone : seen->second;
+    const std::vector<LabelledLandmark>& labelled = seen == landmarks.end() ? kNone : seen->second;
     const auto error = errors_m.find(number);
     if (error != errors_m.end()) frame.error_m = error->second;
     const auto shown = detected.find(number);
@@ -221,43 +222,6 @@ BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const Landmark
     story.frames.push_back(std::move(frame));
   }
   return story;
-}
-
-std::vector<BodyEvent> EventsOf(const BodyStory& story) {
-  constexpr int kLeastLoss = 3;  // frames
-  std::map<int, std::string> events;
-  const auto add = [&](int frame, const std::string& what) {
-    std::string& all = events[frame];
-    all += (all.empty() ? "" : ", ") + what;
-  };
-  const BodyFrame* worst = nullptr;
-  const BodyFrame* lost = nullptr;  // the first frame of a loss
-  int lost_for = 0;
-  bool joined = false;
-  for (const BodyFrame& frame : story.frames) {
-    if (frame.stage == BodyStage::kHidden) continue;
-    if (frame.stage == BodyStage::kJoined && !std::exchange(joined, true)) {
-      add(frame.frame, "merged into another body");
-    }
-    if (!frame.error_m) {
-      if (lost_for++ == 0) lost = &frame;
-      if (worst != nullptr && lost_for == kLeastLoss) add(lost->frame, "lost");
-      continue;
-    }
-    if (worst == nullptr) {
-      add(frame.frame, "first estimated");
-    } else if (lost_for >= kLeastLoss) {
-      add(frame.frame, "found again");
-    }
-    lost_for = 0;
-    if (worst == nullptr || *frame.error_m > *worst->error_m) worst = &frame;
-  }
-  if (worst != nullptr) {
-    add(worst->frame, StrCat("worst error, ", FormatGeneral(100.0 * *worst->error_m, 3), " cm"));
-  }
-  std::vector<BodyEvent> in_order;
-  for (const auto& [frame, what] : events) in_order.push_back({frame, what});
-  return in_order;
 }
 
 std::vector<std::string> StoryLines(const BodyStory& story) {
@@ -273,6 +237,13 @@ std::vector<std::string> StoryLines(const BodyStory& story) {
     wrong += StrCat(wrong.empty() ? "" : ", ", StageName(stage), " ", story.Count(stage));
   }
   if (!wrong.empty()) lines.push_back("frames by failed stage: " + wrong);
+  const auto worst = std::max_element(
+      story.frames.begin(), story.frames.end(),
+      [](const BodyFrame& a, const BodyFrame& b) { return a.error_m < b.error_m; });
+  if (worst != story.frames.end() && worst->error_m) {
+    lines.push_back(StrCat("worst error: ", FormatGeneral(100.0 * *worst->error_m, 3),
+                           " cm in frame ", worst->frame));
+  }
   const BodyStage cause = story.Cause();
   const std::string meaning = TextOf(cause).meaning;
   lines.push_back(cause == BodyStage::kGood ? meaning : StrCat(StageName(cause), ": ", meaning));
@@ -280,7 +251,6 @@ std::vector<std::string> StoryLines(const BodyStory& story) {
 }
 
 std::vector<TimelineRow> TimelineOf(const BodyStory& story, const std::vector<BodyDetail>& bodies) {
-  const std::vector<BodyEvent> events = EventsOf(story);
   std::vector<TimelineRow> rows;
   const auto& frames = story.frames;
   for (auto first = frames.begin(); first != frames.end();) {
@@ -296,10 +266,6 @@ std::vector<TimelineRow> TimelineOf(const BodyStory& story, const std::vector<Bo
       row.error_cm = ErrorRange(stretch);
       row.detected = DetectedShare(stretch);
       row.landmarks = LandmarkWords(story, *first, bodies);
-      for (const BodyEvent& event : events) {
-        if (event.frame < stretch.front().frame || event.frame > stretch.back().frame) continue;
-        row.events += StrCat(row.events.empty() ? "" : "; ", event.frame, " ", event.what);
-      }
       rows.push_back(std::move(row));
     }
     first = last;

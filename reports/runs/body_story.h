@@ -69,16 +69,8 @@ using Detected = std::map<int, bool>;
 BodyStory TellStory(const RunDetail& run, const BodyDetail& body, const LandmarksByFrame& landmarks,
                     const Detected& detected);
 
-struct BodyEvent {
-  int frame = 0;
-  std::string what;  // "first estimated", "lost", ...
-};
-
-// Returns the frames to look at, in order: the first estimate, losses of at least three judged
-// frames and the recoveries from them, the first merge into another body, and the worst error.
-std::vector<BodyEvent> EventsOf(const BodyStory& story);
-
-// Describes what happened to the body as a whole: the number of frames by stage, and the cause.
+// Describes what happened to the body as a whole: the number of frames by stage, the cause, and the
+// worst error.
 std::vector<std::string> StoryLines(const BodyStory& story);
 
 // Successive judged frames in the same stage, in words.
@@ -88,7 +80,6 @@ struct TimelineRow {
   std::string error_cm;   // "1.2 to 13.6"; "-": not estimated
   std::string detected;   // "8 of 9"; empty: unknown
   std::string landmarks;  // in the first of the frames, by label
-  std::string events;     // in these frames
 };
 
 // `bodies` provides the names of other bodies.

@@ -3,7 +3,6 @@
 #include "reports/runs/run_detail.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
@@ -120,89 +119,25 @@ std::int64_t BestCluster(const std::map<std::int64_t, int>& landmarks, std::int6
   return best;
 }
 
-class ClusterTable {
- public:
-  explicit ClusterTable(const fs::path& file) : csv_(file) {}
-
-  std::size_t rows() const { return csv_.rows(); }
-  ClusterRow Row(std::size_t i) const {
-    ClusterRow row;
-    row.frame = csv_.Integer(i, frame_);
-    row.id = csv_.Id(i, id_);
-    row.category = csv_.Text(i, category_);
-    row.predicted = csv_.Text(i, status_) == "predicted";
-    // Refined values are empty if the run never returned to the frame; then those from when the
-    // frame arrived are used.
-    const bool refined = !csv_.Empty(i, refined_pose_);
-    row.world_from_object = csv_.Numbers<7>(i, refined ? refined_pose_ : pose_);
-    row.velocity_m_s = csv_.Numbers<3>(i, refined ? refined_velocity_ : velocity_);
-    AddBox(i, row);
-    row.observed_landmarks = csv_.Integer(i, observed_);
-    return row;
-  }
-
- private:
-  // Older tables only have the extent along the axes of the object frame.
-  void AddBox(std::size_t i, ClusterRow& row) const {
-    if (box_) {
-      row.object_from_box = csv_.Numbers<7>(i, *box_);
-      row.size_m = csv_.Numbers<3>(i, *box_ + 7);
-      return;
-    }
-    const std::array<double, 6> extent = csv_.Numbers<6>(i, extent_);
-    row.object_from_box = {extent[0], extent[1], extent[2], 0.0, 0.0, 0.0, 1.0};
-    row.size_m = {2.0 * extent[3], 2.0 * extent[4], 2.0 * extent[5]};
-  }
-
-  CsvFile csv_;
-  // The first column of each group.
-  std::size_t frame_ = csv_.Column("frame");
-  std::size_t id_ = csv_.Column("id");
-  std::size_t category_ = csv_.Column("category");
-  std::size_t status_ = csv_.Column("status");
-  std::size_t pose_ = csv_.Columns({"x", "y", "z", "qx", "qy", "qz", "qw"});
-  std::size_t velocity_ = csv_.Columns({"vx", "vy", "vz"});
-  std::size_t refined_pose_ = csv_.Columns({"refined_x", "refined_y", "refined_z", "refined_qx",
-                                            "refined_qy", "refined_qz", "refined_qw"});
-  std::size_t refined_velocity_ = csv_.Columns({"refined_vx", "refined_vy", "refined_vz"});
-  std::size_t extent_ =
-      csv_.Columns({"center_x", "center_y", "center_z", "half_x_m", "half_y_m", "half_z_m"});
-  std::optional<std::size_t> box_ =
-      csv_.Has("box_x")
-          ? std::optional(csv_.Columns({"box_x", "box_y", "box_z", "box_qx", "box_qy", "box_qz",
-                                        "box_qw", "length_m", "height_m", "width_m"}))
-          : std::nullopt;
-  std::size_t observed_ = csv_.Column("observed_landmarks");
-};
-
 }  // namespace
 
-std::vector<ClusterRow> ReadClusterTable(const fs::path& file) {
-  const ClusterTable table(file);
-  std::vector<ClusterRow> rows;
-  for (std::size_t i = 0; i < table.rows(); ++i) rows.push_back(table.Row(i));
-  std::stable_sort(rows.begin(), rows.end(), [](const ClusterRow& a, const ClusterRow& b) {
+std::vector<ObjectRow> ReadObjects(const fs::path& file) {
+  std::vector<ObjectRow> rows;
+  ReadCsv<ObjectRow>(file, [&rows](ObjectRow row, std::size_t) { rows.push_back(std::move(row)); });
+  std::stable_sort(rows.begin(), rows.end(), [](const ObjectRow& a, const ObjectRow& b) {
     return std::pair(a.frame, a.id) < std::pair(b.frame, b.id);
   });
   return rows;
 }
 
 LandmarksByFrame ReadLandmarks(const fs::path& file, LandmarkLabel label) {
-  const CsvFile csv(file);
-  const std::size_t frame = csv.Column("frame");
-  const std::size_t u = csv.Column("u_px");
-  const std::size_t v = csv.Column("v_px");
-  const std::size_t of = csv.Column(label == LandmarkLabel::kCluster ? "cluster" : "inferred");
-  const std::size_t body = csv.Column("truth_body");
   LandmarksByFrame landmarks;
-  for (std::size_t i = 0; i < csv.rows(); ++i) {
-    LandmarkRow row;
-    row.u_px = static_cast<float>(csv.Number(i, u));
-    row.v_px = static_cast<float>(csv.Number(i, v));
-    if (!csv.Empty(i, of)) row.label = csv.Id(i, of);
-    if (!csv.Empty(i, body)) row.truth_body = csv.Integer(i, body);
-    landmarks[csv.Integer(i, frame)].push_back(row);
-  }
+  ReadCsv<LandmarkRow>(file, [&](const LandmarkRow& row, std::size_t) {
+    const auto& of = label == LandmarkLabel::kCluster ? row.cluster : row.inferred;
+    landmarks[row.frame].push_back({static_cast<float>(row.z_px.x()),
+                                    static_cast<float>(row.z_px.y()), of.value_or(kOutlierLabel),
+                                    row.truth_body.value_or(-1), false});
+  });
   return landmarks;
 }
 
@@ -215,7 +150,7 @@ std::vector<IdentitySwitch> IdentitySwitches(const LandmarksByFrame& landmarks,
       const auto seen = landmarks.find(frame);
       if (seen == landmarks.end()) continue;
       std::map<std::int64_t, int> counts;  // by cluster
-      for (const LandmarkRow& landmark : seen->second) {
+      for (const LabelledLandmark& landmark : seen->second) {
         if (landmark.truth_body == body.id && landmark.label > 0) ++counts[landmark.label];
       }
       const std::int64_t best = BestCluster(counts, last);
@@ -245,7 +180,7 @@ RunDetail ReadRunDetail(const fs::path& run_folder) {
     }
   };
   read("truth.json", [&](const fs::path& file) { ReadTruth(file, detail); });
-  read("objects.csv", [&](const fs::path& file) { detail.clusters = ReadClusterTable(file); });
+  read("objects.csv", [&](const fs::path& file) { detail.clusters = ReadObjects(file); });
   read("timing.json", [&](const fs::path& file) { ReadTiming(file, detail); });
   return detail;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/record/run_rows.h"
 #include "core/record/run_summary.h"
 #include "core/record/truth.h"
 
@@ -32,31 +33,18 @@ struct CameraFrame {
   }
 };
 
-// A cluster in a frame as last estimated: a row of objects.csv.
-struct ClusterRow {
-  int frame = 0;
-  std::int64_t id = 0;
-  std::string category;
-  bool predicted = false;  // by the motion model alone: hidden or lost
-  Pose world_from_object{};
-  Pose object_from_box{};   // upright, x forward, y down
-  Position size_m{};        // of the box: length, height, width
-  Position velocity_m_s{};  // in the world frame
-  int observed_landmarks = 0;
-};
-
 inline constexpr std::int64_t kOutlierLabel = -1;
 inline constexpr std::int64_t kStaticLabel = 0;
 
-// A landmark seen in a frame: a row of landmarks.csv.
-struct LandmarkRow {
+// What reports keep of a row of landmarks.csv.
+struct LabelledLandmark {
   float u_px = 0.0F;
   float v_px = 0.0F;
   std::int64_t label = kOutlierLabel;  // id of a cluster, or one of the constants above
   std::int32_t truth_body = -1;        // 0: the static scene; -1: unknown
   bool wrong = false;                  // see MarkWrongLabels
 };
-using LandmarksByFrame = std::map<int, std::vector<LandmarkRow>>;
+using LandmarksByFrame = std::map<int, std::vector<LabelledLandmark>>;
 
 // Which of the two labels of a landmark is read.
 enum class LandmarkLabel {
@@ -82,7 +70,7 @@ struct BodyDetail : JudgedBody {
 // camera as estimated, into which the truth is transformed by the alignment of the object metrics.
 struct RunDetail {
   std::vector<CameraFrame> camera;
-  std::vector<ClusterRow> clusters;  // by frame, then id
+  std::vector<ObjectRow> clusters;   // by frame, then id
   std::vector<BodyDetail> bodies;    // empty if bodies have no truth
   TimingData timing;                 // without its frames
   std::vector<std::string> missing;  // files that do not exist or cannot be read, and why
@@ -94,7 +82,7 @@ RunDetail ReadRunDetail(const std::filesystem::path& run_folder);
 
 // Read single files of a run. Each throws Error naming the file, and the field or line, if the file
 // is damaged.
-std::vector<ClusterRow> ReadClusterTable(const std::filesystem::path& file);
+std::vector<ObjectRow> ReadObjects(const std::filesystem::path& file);
 LandmarksByFrame ReadLandmarks(const std::filesystem::path& file, LandmarkLabel label);
 
 // A frame in which a body's landmarks belong to another cluster than the last time they belonged to
@@ -109,5 +97,17 @@ struct IdentitySwitch {
 // The switches as the metric object_id_switches counts them, over visible frames.
 std::vector<IdentitySwitch> IdentitySwitches(const LandmarksByFrame& landmarks,
                                              const std::vector<BodyDetail>& bodies);
+
+// Times of a suite's runs as texts; values are medians over the runs of a row.
+struct SuiteTimes {
+  // Header first, rows in the order of the plan. The last column is the time per frame divided by
+  // that of the first row with the same scenes and variant.
+  std::vector<std::vector<std::string>> table;
+  std::vector<std::string> machines;  // distinct processors with their numbers of threads
+};
+
+// Reads the times of the finished runs in a suite's output folder; the runs of one family form one
+// row. Throws Error if there is no plan, or if no run is finished.
+SuiteTimes ReadSuiteTimes(const std::filesystem::path& folder);
 
 }  // namespace cvo::reports

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "reports/runs/suite_times.h"
+// Times of the runs of a suite, stage by stage.
 
 #include <algorithm>
 #include <array>
@@ -43,7 +43,7 @@ struct TimedRuns {
 
 double ClustersPerFrame(const RunDetail& detail) {
   const auto tracked = std::count_if(detail.clusters.begin(), detail.clusters.end(),
-                                     [](const ClusterRow& cluster) { return !cluster.predicted; });
+                                     [](const ObjectRow& cluster) { return !cluster.predicted(); });
   return static_cast<double>(tracked) /
          static_cast<double>(std::max<std::size_t>(detail.camera.size(), 1));
 }

@@ -75,28 +75,13 @@ Differences DifferencesOf(const Strata& strata) {
   return differences;
 }
 
-std::optional<double> EffectSize(const Differences& differences, double difference) {
-  std::vector<double> all;
-  for (const auto& stratum : differences) all.insert(all.end(), stratum.begin(), stratum.end());
-  if (all.size() < 2) return std::nullopt;
-  const auto n = static_cast<double>(all.size());
-  double mean = 0.0;
-  for (const double d : all) mean += d / n;
-  double variance = 0.0;
-  for (const double d : all) variance += (d - mean) * (d - mean) / (n - 1.0);
-  // They are all equal up to rounding, so their spread is meaningless.
-  if (std::sqrt(variance) <= 1e-12 * std::abs(mean)) return std::nullopt;
-  return difference / std::sqrt(variance);
-}
-
-// The interval of the differences in percent of element `whole` of each pair (0: the value, 1: the
-// reference). Empty if such an element is not positive.
-std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& pairs,
-                                  std::size_t whole) {
+// The interval of the differences in percent of the reference. Empty if a reference is not
+// positive.
+std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& pairs) {
   std::vector<double> percents;
-  for (const std::array<double, 2>& pair : pairs) {
-    if (!(pair[whole] > 0.0)) return std::nullopt;
-    percents.push_back(100.0 * (pair[0] - pair[1]) / pair[whole]);
+  for (const auto& [value, reference] : pairs) {
+    if (!(reference > 0.0)) return std::nullopt;
+    percents.push_back(100.0 * (value - reference) / reference);
   }
   return MiddleRange(std::move(percents));
 }
@@ -111,7 +96,6 @@ PairedEstimate Compare(const Strata& strata, const std::array<double, 2>& mean) 
   estimate.bodies = strata.bodies;
   estimate.pairs = strata.of_scenes() ? strata.scenes : strata.bodies;
   const Differences differences = DifferencesOf(strata);
-  estimate.effect = EffectSize(differences, estimate.difference);
   estimate.p_value = PairedPValue(differences);
   if (strata.scenes >= kMinPairs && estimate.reference > 0.0) {
     estimate.scenes_for_10_percent =
@@ -255,11 +239,7 @@ std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pair
   estimate.interval = MiddleRange(std::move(differences));
   if (estimate.reference > 0.0) {
     estimate.percent = 100.0 * estimate.difference / estimate.reference;
-    estimate.percent_interval = PercentRange(resampled, 1);
-  }
-  if (estimate.value > 0.0) {
-    estimate.reference_lower = 100.0 * estimate.difference / estimate.value;
-    estimate.reference_lower_interval = PercentRange(resampled, 0);
+    estimate.percent_interval = PercentRange(resampled);
   }
   return estimate;
 }

@@ -105,14 +105,10 @@ struct PairedEstimate {
   double reference = 0.0;
   double difference = 0.0;  // value - reference
   std::optional<Range> interval;
-  // The difference in percent of the reference, and in percent of the value, which is by how much
-  // the reference is lower. Each is empty if the number it is a percentage of is not positive.
+  // The difference in percent of the reference; empty if that is not positive.
   std::optional<double> percent;
   std::optional<Range> percent_interval;
-  std::optional<double> reference_lower;
-  std::optional<Range> reference_lower_interval;
-  std::optional<double> effect;   // difference / standard deviation of the pairs' differences
-  std::optional<double> p_value;  // of no difference, uncorrected (PairedPValue)
+  std::optional<double> p_value;                     // of no difference, uncorrected (PairedPValue)
   std::optional<std::size_t> scenes_for_10_percent;  // to detect kPowerDifference (PairsNeeded)
   std::size_t scenes = 0;
   std::size_t bodies = 0;

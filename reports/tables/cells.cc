@@ -16,6 +16,27 @@
 namespace cvo::reports {
 namespace {
 
+// How a metric of a run is computed from its bodies.
+struct BodyMetric {
+  MetricForm form;
+
+  const MetricEntry& entry() const { return EntryOf(form.id); }
+  bool predicted() const { return form.bodies == BodyGroup::kPredicted; }
+  bool movers() const { return form.bodies != BodyGroup::kStanding; }
+  // Whether the errors of the metric are listed frame by frame.
+  bool by_frames() const { return form.id == MetricId::kObjectAte; }
+  Within within() const {
+    return entry().kind == MetricKind::kCount ? Within::kSum : Within::kMean;
+  }
+};
+
+// Empty if the metric is not about bodies.
+std::optional<BodyMetric> FindBodyMetric(const std::string& metric) {
+  const std::optional<MetricForm> form = FindForm(metric);
+  if (!form || EntryOf(form->id).family != MetricFamily::kBodies) return std::nullopt;
+  return BodyMetric{*form};
+}
+
 const FrameErrors& ErrorsOf(const BodyMetric& metric, const BodyRow& body) {
   return metric.predicted() ? body.predicted : body.errors;
 }
@@ -26,11 +47,17 @@ std::optional<std::pair<Part, Part>> CommonRootMeanSquares(const FrameErrors& a,
   double sum_a = 0.0;
   double sum_b = 0.0;
   int n = 0;
-  ForCommonFrames(a.frames, 0, b.frames, 0, [&](std::size_t i, std::size_t j) {
-    sum_a += a.position_m[i] * a.position_m[i];
-    sum_b += b.position_m[j] * b.position_m[j];
-    ++n;
-  });
+  for (std::size_t i = 0, j = 0; i < a.frames.size() && j < b.frames.size();) {
+    const int frame = a.frames[i];
+    const int other = b.frames[j];
+    if (frame == other) {
+      sum_a += a.position_m[i] * a.position_m[i];
+      sum_b += b.position_m[j] * b.position_m[j];
+      ++n;
+    }
+    if (frame <= other) ++i;
+    if (other <= frame) ++j;
+  }
   if (n == 0) return std::nullopt;
   return std::pair{Part{std::sqrt(sum_a / n)}, Part{std::sqrt(sum_b / n)}};
 }
@@ -46,6 +73,36 @@ std::optional<Part> FractionOf(const BodyMetric& metric, const BodyRow& body) {
   return Part{static_cast<double>(within), static_cast<double>(frames)};
 }
 
+// The contribution of a body to the metric. Empty if the metric does not apply to the body or the
+// run has no value for it.
+std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {
+  if (body.mover != metric.movers()) return std::nullopt;
+  const MetricEntry& entry = metric.entry();
+  switch (entry.from_body) {
+    case FromBody::kSuccess:
+      return FractionOf(metric, body);
+    case FromBody::kUnmatched:
+      return Part{body.cluster == -1 ? 1.0 : 0.0};
+    case FromBody::kSum:
+      return Part{static_cast<double>(body.*entry.body_count)};
+    case FromBody::kCoverage:
+      if (body.visible_frames <= 0) return std::nullopt;
+      return Part{static_cast<double>(body.estimated_frames),
+                  static_cast<double>(body.visible_frames)};
+    case FromBody::kField: {
+      const std::optional<double>& error =
+          metric.predicted() ? body.predicted_ate_m : body.*entry.body_error;
+      return error ? std::optional(Part{*error}) : std::nullopt;
+    }
+    case FromBody::kMaxDrift:
+      if (!body.max_drift) return std::nullopt;
+      return Part{body.max_drift->Values().at(MaxDriftIndex(entry.id).value())};
+    case FromBody::kNothing:
+      break;
+  }
+  return std::nullopt;
+}
+
 // The samples of a cell, and what is missing from them.
 struct Gathered {
   std::vector<Sample> samples;
@@ -57,6 +114,13 @@ struct Gathered {
 };
 
 std::string BodyName(const BodyRow& body) { return StrCat("body ", body.id); }
+
+// The bodies of a run from which the metric is computed.
+const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary& run) {
+  static const std::vector<BodyRow> kNone;
+  if (!run.bodies) return kNone;
+  return metric.form.causal ? run.bodies->causal : run.bodies->refined;
+}
 
 void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::string& repetition,
                   Gathered& gathered) {
@@ -138,10 +202,27 @@ std::optional<Interval> SpreadOfSeeds(const Gathered& gathered) {
                   StrCat("least and largest of ", gathered.samples.size(), " runs of one scene")};
 }
 
-void CheckPair(const SuiteRun& run, const SuiteRun& reference, const std::string& metric) {
-  const MetricValue* a = FindMetric(*reference.run, metric);
-  const MetricValue* b = FindMetric(*run.run, metric);
-  if (a != nullptr && b != nullptr) CheckSameMetric(*reference.run, *a, *run.run, *b);
+// The contributions of the same body in two runs. Errors that are listed by frame are taken over
+// the frames that both runs have.
+std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyRow& body,
+                                            const BodyRow& reference) {
+  if (body.mover != metric.movers() || reference.mover != metric.movers()) return std::nullopt;
+  if (metric.by_frames()) {
+    return CommonRootMeanSquares(ErrorsOf(metric, body), ErrorsOf(metric, reference));
+  }
+  const auto ours = PartOf(metric, body);
+  const auto theirs = PartOf(metric, reference);
+  if (!ours || !theirs) return std::nullopt;
+  return std::pair{*ours, *theirs};
+}
+
+// Describes in words what PairOf compares.
+const char* PairingText(const BodyMetric& metric) {
+  if (metric.by_frames()) return "object-frames that both estimate";
+  if (metric.entry().kind == MetricKind::kError)
+    return "bodies that both estimate, each on its frames";
+  return metric.predicted() ? "bodies of both, each on its predicted frames"
+                            : "all visible object-frames";
 }
 
 void GatherPair(const SuiteRun& run, const SuiteRun& reference,
@@ -165,67 +246,25 @@ void GatherPair(const SuiteRun& run, const SuiteRun& reference,
   }
 }
 
+// Converts a paired estimate. `meaning` describes the intervals, `pairing` what the two rows share.
+Difference DifferenceOf(const PairedEstimate& estimate, const std::string& reference,
+                        const std::string& meaning, const std::string& pairing) {
+  Difference difference;
+  difference.reference = reference;
+  difference.value = estimate.value;
+  difference.reference_value = estimate.reference;
+  difference.difference = estimate.difference;
+  difference.interval = ToInterval(estimate.interval, meaning);
+  difference.percent = estimate.percent;
+  difference.percent_interval = ToInterval(estimate.percent_interval, meaning);
+  difference.p_value = estimate.p_value;
+  difference.scenes_for_10_percent = estimate.scenes_for_10_percent;
+  difference.pairs = estimate.pairs;
+  difference.pairing = pairing;
+  return difference;
+}
+
 }  // namespace
-
-std::optional<BodyMetric> FindBodyMetric(const std::string& metric) {
-  const std::optional<MetricForm> form = FindForm(metric);
-  if (!form || EntryOf(form->id).family != MetricFamily::kBodies) return std::nullopt;
-  return BodyMetric{*form};
-}
-
-const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary& run) {
-  static const std::vector<BodyRow> kNone;
-  if (!run.bodies) return kNone;
-  return metric.form.causal ? run.bodies->causal : run.bodies->refined;
-}
-
-std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {
-  if (body.mover != metric.movers()) return std::nullopt;
-  const MetricEntry& entry = metric.entry();
-  switch (entry.from_body) {
-    case FromBody::kSuccess:
-      return FractionOf(metric, body);
-    case FromBody::kUnmatched:
-      return Part{body.cluster == -1 ? 1.0 : 0.0};
-    case FromBody::kSum:
-      return Part{static_cast<double>(body.*entry.body_count)};
-    case FromBody::kCoverage:
-      if (body.visible_frames <= 0) return std::nullopt;
-      return Part{static_cast<double>(body.estimated_frames),
-                  static_cast<double>(body.visible_frames)};
-    case FromBody::kField: {
-      const std::optional<double>& error =
-          metric.predicted() ? body.predicted_ate_m : body.*entry.body_error;
-      return error ? std::optional(Part{*error}) : std::nullopt;
-    }
-    case FromBody::kMaxDrift:
-      if (!body.max_drift) return std::nullopt;
-      return Part{body.max_drift->Values().at(MaxDriftIndex(entry.id).value())};
-    case FromBody::kNothing:
-      break;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyRow& body,
-                                            const BodyRow& reference) {
-  if (body.mover != metric.movers() || reference.mover != metric.movers()) return std::nullopt;
-  if (metric.by_frames()) {
-    return CommonRootMeanSquares(ErrorsOf(metric, body), ErrorsOf(metric, reference));
-  }
-  const auto ours = PartOf(metric, body);
-  const auto theirs = PartOf(metric, reference);
-  if (!ours || !theirs) return std::nullopt;
-  return std::pair{*ours, *theirs};
-}
-
-const char* PairingText(const BodyMetric& metric) {
-  if (metric.by_frames()) return "object-frames that both estimate";
-  if (metric.entry().kind == MetricKind::kError)
-    return "bodies that both estimate, each on its frames";
-  return metric.predicted() ? "bodies of both, each on its predicted frames"
-                            : "all visible object-frames";
-}
 
 Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Column& column) {
   Cell cell;
@@ -240,7 +279,6 @@ Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Co
                                : "no value in any run";
     return cell;
   }
-  cell.present = true;
   cell.value = estimate->value;
   cell.n = {cell.runs.size(), gathered.scenes.size(), body_metric ? estimate->bodies : 0,
             gathered.seeds.size()};
@@ -265,7 +303,6 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
     const std::string repetition = RepetitionOf(*run, rows.keys);
     const auto reference = references.find({SceneOf(*run), repetition});
     if (reference == references.end()) continue;
-    CheckPair(*run, *reference->second, column.metric);
     GatherPair(*run, *reference->second, body_metric, repetition, column.metric, samples);
     seeds.insert(run->planned.seed);
   }
@@ -278,44 +315,16 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
                       body_metric ? PairingText(*body_metric) : "runs of the same scene and seed");
 }
 
-Difference DifferenceOf(const PairedEstimate& estimate, const std::string& reference,
-                        const std::string& meaning, const std::string& pairing) {
-  Difference difference;
-  difference.reference = reference;
-  difference.value = estimate.value;
-  difference.reference_value = estimate.reference;
-  difference.difference = estimate.difference;
-  difference.interval = ToInterval(estimate.interval, meaning);
-  difference.percent = estimate.percent;
-  difference.percent_interval = ToInterval(estimate.percent_interval, meaning);
-  difference.reference_lower = estimate.reference_lower;
-  difference.reference_lower_interval = ToInterval(estimate.reference_lower_interval, meaning);
-  difference.effect = estimate.effect;
-  difference.p_value = estimate.p_value;
-  difference.scenes_for_10_percent = estimate.scenes_for_10_percent;
-  difference.pairs = estimate.pairs;
-  difference.pairing = pairing;
-  return difference;
-}
-
-std::optional<bool> IsBetter(const std::string& metric, double difference) {
-  const MetricEntry* rule = FindEntry(metric);
-  if (!rule) return std::nullopt;
-  return (difference > 0.0) == rule->higher_is_better();
-}
-
-std::string UndecidedText(std::size_t pairs, const std::string& what) {
-  return StrCat("undecided (", Counted(pairs, what), ", ", kMinPairs, " needed)");
-}
-
-std::string VerdictText(const Difference& difference, const std::string& metric,
-                        const std::string& what) {
+std::string VerdictText(const Difference& difference, const std::string& metric) {
   if (difference.difference == 0.0) return "the same";
   if (!difference.distinguishable) {
-    return difference.pairs < kMinPairs ? UndecidedText(difference.pairs, what) : "not significant";
+    return difference.pairs >= kMinPairs ? "not significant"
+                                         : StrCat("undecided (", Counted(difference.pairs, "pair"),
+                                                  ", ", kMinPairs, " needed)");
   }
-  const auto better = IsBetter(metric, difference.difference);
-  return !better ? "differs" : *better ? "better" : "worse";
+  const MetricEntry* rule = FindEntry(metric);
+  if (rule == nullptr) return "differs";
+  return (difference.difference > 0.0) == rule->higher_is_better() ? "better" : "worse";
 }
 
 void CorrectForMany(const std::vector<Difference*>& differences) {

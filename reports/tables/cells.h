@@ -11,24 +11,9 @@
 #include "core/record/metric_catalogue.h"
 #include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "reports/statistics/estimate.h"
 #include "reports/tables/table.h"
 
 namespace cvo::reports {
-
-// Calls `act` with the indices of each frame that both ascending lists have. `shift` and
-// `other_shift` convert their frames to a common numbering.
-template <typename Act>
-void ForCommonFrames(const std::vector<int>& frames, int shift, const std::vector<int>& others,
-                     int other_shift, const Act& act) {
-  for (std::size_t i = 0, k = 0; i < frames.size() && k < others.size();) {
-    const int frame = frames[i] + shift;
-    const int other = others[k] + other_shift;
-    if (frame == other) act(i, k);
-    if (frame <= other) ++i;
-    if (other <= frame) ++k;
-  }
-}
 
 // The jobs that belong to one row.
 struct RowRuns {
@@ -83,42 +68,6 @@ std::string DifferingMeaning(const RowRuns& row, const Column& column);
 // and, if one is of another system, both use the same correction of the calibration.
 bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& column);
 
-// Throws Error naming both files unless two runs of one scene define a metric in the same way.
-void CheckSameMetric(const RunSummary& a, const MetricValue& in_a, const RunSummary& b,
-                     const MetricValue& in_b);
-
-// How a metric of a run is computed from its bodies.
-struct BodyMetric {
-  MetricForm form;
-
-  const MetricEntry& entry() const { return EntryOf(form.id); }
-  bool predicted() const { return form.bodies == BodyGroup::kPredicted; }
-  bool movers() const { return form.bodies != BodyGroup::kStanding; }
-  // Whether the errors of the metric are listed frame by frame.
-  bool by_frames() const { return form.id == MetricId::kObjectAte; }
-  Within within() const {
-    return entry().kind == MetricKind::kCount ? Within::kSum : Within::kMean;
-  }
-};
-
-// Empty if the metric is not about bodies.
-std::optional<BodyMetric> FindBodyMetric(const std::string& metric);
-
-// The bodies of a run from which the metric is computed.
-const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary& run);
-
-// The contribution of a body to the metric. Empty if the metric does not apply to the body or the
-// run has no value for it.
-std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body);
-
-// The contributions of the same body in two runs. Errors that are listed by frame are taken over
-// the frames that both runs have.
-std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const BodyRow& body,
-                                            const BodyRow& reference);
-
-// Describes in words what PairOf compares.
-const char* PairingText(const BodyMetric& metric);
-
 // The runs of a row and of its reference, with the keys that identify rows.
 struct PairedRows {
   const std::vector<std::string>& keys;
@@ -130,25 +79,12 @@ struct PairedRows {
 // The mean of a metric over the runs of a row: over seeds, then bodies, then scenes.
 Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Column& column);
 
-// The paired difference of a row to its reference. Empty if the two have nothing in common. Throws
-// Error naming both files if two runs of one scene define the metric differently.
+// The paired difference of a row to its reference. Empty if the two have nothing in common.
 std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& column);
 
-// Converts a paired estimate. `reference` is the label of the reference row, `meaning` describes
-// the intervals, and `pairing` what the two rows have in common.
-Difference DifferenceOf(const PairedEstimate& estimate, const std::string& reference,
-                        const std::string& meaning, const std::string& pairing);
-
-// Whether a difference is an improvement. Empty if the metric is unknown.
-std::optional<bool> IsBetter(const std::string& metric, double difference);
-
-// "undecided (3 pairs, 6 needed)". `what` is the singular name of the paired units.
-std::string UndecidedText(std::size_t pairs, const std::string& what = "pair");
-
-// "better", "worse", "differs", "the same", "not significant" or UndecidedText. Call it after
-// CorrectForMany.
-std::string VerdictText(const Difference& difference, const std::string& metric,
-                        const std::string& what = "pair");
+// "better", "worse", "differs", "the same", "not significant" or "undecided (3 pairs, 6 needed)".
+// Call it after CorrectForMany.
+std::string VerdictText(const Difference& difference, const std::string& metric);
 
 // Corrects the p-values of differences that are read together for their number (Holm), and marks
 // those that are distinguishable from noise.

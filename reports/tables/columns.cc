@@ -220,9 +220,4 @@ bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& c
          (!systems || shifts_px.size() <= 1);
 }
 
-void CheckSameMetric(const RunSummary& a, const MetricValue& in_a, const RunSummary& b,
-                     const MetricValue& in_b) {
-  CheckSame({&a, &in_a, in_a.contract}, {&b, &in_b, in_b.contract});
-}
-
 }  // namespace cvo::reports

@@ -1,103 +1,64 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/text/number.h"
-#include "reports/statistics/estimate.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo::reports {
 namespace {
 
 using Values = std::set<std::string>;
-using OptionValues = std::map<std::string, Values>;  // by path
 
-// The variants, builds and options of the runs of one folder.
+// The variants and builds of the runs of one folder, and the options of its runs of some variants.
 struct Made {
   Values variants;
   Values builds;
-  std::map<std::string, OptionValues> options;  // by variant
+  std::map<std::string, Values> options;  // by path
 };
 
-Made MadeWith(const std::vector<SuiteRun>& runs) {
-  Made made;
+Values VariantsOf(const std::vector<SuiteRun>& runs) {
+  Values variants;
+  for (const SuiteRun& run : runs) variants.insert(KeyOf(run.planned, "variant"));
+  return variants;
+}
+
+Made MadeWith(const std::vector<SuiteRun>& runs, const Values& other_variants) {
+  Made made{VariantsOf(runs), {}, {}};
   for (const SuiteRun& run : runs) {
-    const std::string variant = KeyOf(run.planned, "variant");
-    made.variants.insert(variant);
     if (!run.run) continue;
     constexpr std::size_t kTold = 12;  // characters of a hash
     if (!run.run->build.identity.empty()) {
       made.builds.insert(run.run->build.identity.substr(0, kTold));
     }
-    for (const auto& [path, value] : FlatJson(run.run->options)) {
-      made.options[variant][path].insert(value);
-    }
+    if (!other_variants.contains(KeyOf(run.planned, "variant"))) continue;
+    for (const auto& [path, value] : FlatJson(run.run->options)) made.options[path].insert(value);
   }
   return made;
 }
 
-std::string ValuesText(const Values& values) {
-  constexpr std::size_t kMost = 3;
-  if (values.empty()) return "-";
-  if (values.size() > kMost) return Counted(values.size(), "value");
-  return Joined(values, " or ");
-}
-
 std::string ChangeOf(const Values& before, const Values& after) {
-  return StrCat(ValuesText(before), " -> ", ValuesText(after));
+  return StrCat(before.empty() ? "-" : Joined(before, " or "), " -> ",
+                after.empty() ? "-" : Joined(after, " or "));
 }
 
-// The options that differ in a variant that both folders have, with the values of the first such
-// variant.
-std::vector<std::string> OptionChanges(const Made& before, const Made& after) {
-  std::map<std::string, std::string> changes;
-  for (const auto& [variant, options] : after.options) {
-    const auto there = before.options.find(variant);
-    if (there == before.options.end()) continue;
-    std::map<std::string, std::pair<Values, Values>> values;  // by path: before, after
-    for (const auto& [path, was] : there->second) values[path].first = was;
-    for (const auto& [path, is] : options) values[path].second = is;
-    for (const auto& [path, both] : values) {
-      const auto& [was, is] = both;
-      if (was != is) changes.try_emplace(path, StrCat(path, " ", ChangeOf(was, is)));
+// Describes in one line how the runs of two folders differ apart from their results: variants,
+// builds of the program, and options of the variants that both have.
+std::string WhatDiffers(const std::vector<SuiteRun>& before, const std::vector<SuiteRun>& after) {
+  Made a = MadeWith(before, VariantsOf(after));
+  Made b = MadeWith(after, VariantsOf(before));
+  std::vector<std::string> parts;
+  if (a.variants != b.variants) parts.push_back("variants " + ChangeOf(a.variants, b.variants));
+  if (a.builds != b.builds) parts.push_back("builds " + ChangeOf(a.builds, b.builds));
+  for (const auto& [path, values] : b.options) a.options[path];
+  for (const auto& [path, values] : a.options) {
+    if (values != b.options[path]) {
+      parts.push_back(StrCat("option ", path, " ", ChangeOf(values, b.options[path])));
     }
   }
-  std::vector<std::string> texts;
-  for (const auto& [path, text] : changes) texts.push_back(text);
-  return texts;
-}
-
-std::string OnlyIn(const Values& one, const Values& other) {
-  std::vector<std::string> only;
-  std::set_difference(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(only));
-  return Joined(only, ", ");
-}
-
-// Describes in one line how the runs of two folders differ apart from their results: variants that
-// only one folder has, options of the variants that both have, builds of the program.
-std::string WhatDiffers(const std::vector<SuiteRun>& before, const std::vector<SuiteRun>& after) {
-  const Made a = MadeWith(before);
-  const Made b = MadeWith(after);
-  std::vector<std::string> parts;
-  const auto add = [&](const char* what, const std::string& text) {
-    if (!text.empty()) parts.push_back(what + text);
-  };
-  constexpr std::size_t kMost = 12;
-  std::vector<std::string> options = OptionChanges(a, b);
-  if (options.size() > kMost) {
-    const std::size_t more = options.size() - kMost;
-    options.resize(kMost);
-    options.push_back(StrCat("and ", more, " more"));
-  }
-  add("options ", Joined(options, ", "));
-  add("builds ", a.builds == b.builds ? "" : ChangeOf(a.builds, b.builds));
-  add("variants only before: ", OnlyIn(a.variants, b.variants));
-  add("variants only after: ", OnlyIn(b.variants, a.variants));
   if (parts.empty()) return "The two folders have the same options, builds and variants.";
   return StrCat("The two folders differ: ", Joined(parts, "; "), ".");
 }
@@ -146,20 +107,6 @@ void NoteUnpaired(const std::vector<RowRuns>& before, const std::vector<RowRuns>
   if (!any) ThrowError("compare", "no row with a run that both have", "the same scenes and seeds");
 }
 
-std::string Line(const Row& row, const Column& column, const Difference& difference) {
-  const std::string unit = column.unit == "1" ? "" : " " + column.unit;
-  std::string line = StrCat("  ", RowLabel(row), ", ", column.metric, ": ",
-                            FormatSigned(difference.difference, 4), unit);
-  if (difference.percent) line += StrCat(" (", FormatSigned(*difference.percent, 4), " %)");
-  if (difference.interval) {
-    line += StrCat(", ", FormatSigned(difference.interval->low, 4), " to ",
-                   FormatSigned(difference.interval->high, 4));
-  } else {
-    line += ", no interval";
-  }
-  return StrCat(line, ", ", Counted(difference.pairs, "pair"), "\n");
-}
-
 }  // namespace
 
 Table CompareFolders(const std::filesystem::path& before, const std::filesystem::path& folder) {
@@ -190,25 +137,19 @@ Table CompareFolders(const std::filesystem::path& before, const std::filesystem:
 }
 
 std::string MovedText(const Table& table) {
-  std::string distinguishable;
-  std::string noise;
-  std::map<std::size_t, std::string> undecided;  // by the number of pairs
+  std::size_t compared = 0;
+  std::size_t moved = 0;
+  std::size_t distinguishable = 0;
   for (const Row& row : table.rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const auto& difference = row.cells[i].difference;
-      if (!difference || difference->difference == 0.0) continue;
-      (difference->distinguishable     ? distinguishable
-       : difference->pairs < kMinPairs ? undecided[difference->pairs]
-                                       : noise) += Line(row, table.columns[i], *difference);
+    for (const Cell& cell : row.cells) {
+      if (!cell.difference) continue;
+      ++compared;
+      moved += cell.difference->difference != 0.0 ? 1 : 0;
+      distinguishable += cell.difference->distinguishable ? 1 : 0;
     }
   }
-  std::string text;
-  if (!distinguishable.empty()) text += "changed, distinguishable from noise:\n" + distinguishable;
-  if (!noise.empty()) text += "changed, not distinguishable from noise:\n" + noise;
-  for (const auto& [pairs, lines] : undecided) {
-    text += StrCat("moved, ", UndecidedText(pairs), ":\n", lines);
-  }
-  return text.empty() ? "nothing changed\n" : text;
+  return StrCat(moved, " of ", compared, " values changed, ", distinguishable,
+                " distinguishable from noise (*)\n");
 }
 
 }  // namespace cvo::reports

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <map>
 #include <tuple>
 
 #include "core/base/error.h"
@@ -127,7 +128,7 @@ void AddCells(const Table& table, Lines& lines) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Cell& cell = row.cells[i];
       const std::string label = ColumnName(table, i);
-      if (!row.runs.empty() && !cell.present) remarks.Add(cell.message, label);
+      if (!row.runs.empty() && !cell.value) remarks.Add(cell.message, label);
       remarks.Add(cell.left_out, label);
       if (!cell.not_comparable.empty()) {
         remarks.Add("in brackets, defined differently: " + cell.not_comparable, label);
@@ -140,72 +141,53 @@ void AddCells(const Table& table, Lines& lines) {
   rows.Print("", lines, "; ");
 }
 
-// Names metrics without coverage in the table, since accuracy alone favours whoever loses the hard
-// parts. Then states the counts of each column; if they differ between rows, each is followed by
-// the rows it applies to.
-void AddCoverageAndCounts(const Table& table, Lines& lines) {
-  NamesByText missing;
+// What the values of each column are means over.
+void AddCounts(const Table& table, Lines& lines) {
   NamesByText counts;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const std::string coverage = CoverageOf(table.columns[i].metric);
-    if (!coverage.empty() && FindBy(table.columns, &Column::metric, coverage) == nullptr) {
-      missing.Add("coverage is not in this table; what was lost does not count here",
-                  ColumnName(table, i));
-    }
-    std::vector<std::pair<std::string, Lines>> rows;  // by count
+    Lines of_rows;
     for (const Row& row : table.rows) {
-      if (!row.cells[i].present) continue;
-      const std::string text = CountsText(row.cells[i].n);
-      FindOrAdd(rows, &std::pair<std::string, Lines>::first, {text, {}})
-          .second.push_back(RowLabel(row));
+      if (row.cells[i].value) AddOnce(CountsText(row.cells[i].n), of_rows);
     }
-    counts.Add(Joined(rows, "; ",
-                      [&](const auto& of_count) {
-                        const auto& [text, labels] = of_count;
-                        return rows.size() == 1 ? text
-                                                : StrCat(text, " (", Joined(labels, ", "), ")");
-                      }),
-               ColumnName(table, i));
+    counts.Add(Joined(of_rows, " or "), ColumnName(table, i));
   }
-  missing.Print("", lines);
   counts.Print("n, ", lines);
 }
 
 // The sources of reference rows, each with the distinct reasons why its figures are not comparable,
 // and what was inferred about them.
 void AddReferences(const Table& table, Lines& lines) {
-  bool any_differs = false;
-  std::vector<Lines> reasons(table.sources.size());
-  const auto gather = [&](const std::vector<ReferenceRow>& rows, bool explain) {
-    for (const ReferenceRow& line : rows) {
-      for (std::size_t i = 0; i < line.cells.size(); ++i) {
-        const auto& cell = line.cells[i];
-        if (!cell) continue;
+  bool any_differs = !table.others.empty();
+  std::map<std::string, Lines> reasons;  // by source
+  for (const Row& row : table.rows) {
+    for (const ReferenceRow& line : row.reference) {
+      for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const ReferenceCell* cell = line.Find(table.columns[i]);
+        if (cell == nullptr) continue;
         any_differs = any_differs || cell->match != Match::kMatches;
-        if (!explain || cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
+        if (cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
         AddOnce(ColumnName(table, i) + " " + cell->reason, reasons[line.source]);
       }
     }
-  };
-  for (const Row& row : table.rows) gather(row.reference, true);
-  gather(table.others, false);
+  }
   if (any_differs) {
     lines.emplace_back(
         "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
         "differs or that the source does not define");
   }
-  for (std::size_t i = 0; i < table.sources.size(); ++i) {
-    std::string note = SourceMark(i) + " " + table.sources[i].source;
-    if (!table.sources[i].caveat.empty()) note += "; " + table.sources[i].caveat;
-    for (const std::string& reason : reasons[i]) note += "; " + reason;
+  for (const ReferenceSource& source : table.sources) {
+    std::string note = SourceMark(table, source.id) + " " + source.source;
+    if (!source.caveat.empty()) note += "; " + source.caveat;
+    for (const std::string& reason : reasons[source.id]) note += "; " + reason;
     lines.push_back(note);
   }
 }
 
 }  // namespace
 
-std::string SourceMark(std::size_t source) {
-  return StrCat("[", static_cast<char>('a' + static_cast<int>(source % 26)), "]");
+std::string SourceMark(const Table& table, const std::string& source) {
+  const auto index = FindBy(table.sources, &ReferenceSource::id, source) - table.sources.data();
+  return StrCat("[", static_cast<char>('a' + static_cast<int>(index % 26)), "]");
 }
 
 std::string JobsText(const JobCounts& jobs) {
@@ -238,7 +220,7 @@ std::vector<std::string> Footnotes(const Table& table) {
                            option.default_value.empty() ? "none" : option.default_value, ")"));
   }
   AddCells(table, lines);
-  AddCoverageAndCounts(table, lines);
+  AddCounts(table, lines);
   AddIntervals(table, lines);
   AddReferences(table, lines);
   return lines;

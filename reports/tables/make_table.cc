@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/json/json.h"
-#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 
 namespace cvo::reports {
@@ -129,26 +128,6 @@ Provenance DescribeRuns(const std::vector<SuiteRun>& runs, const std::string& de
   return provenance;
 }
 
-// What self-calibration found on sequences without a true calibration, if rows tell them apart.
-void AddCalibrations(const std::vector<SuiteRun>& runs, std::vector<std::string>& notes) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> found;  // by sequence
-  for (const SuiteRun& run : runs) {
-    if (!run.run || !run.run->calibration || FindMetric(*run.run, "calibration_error") != nullptr) {
-      continue;
-    }
-    auto& [sequence, texts] =
-        FindOrAdd(found, &decltype(found)::value_type::first, {KeyOf(run.planned, "sequence"), {}});
-    AddOnce(
-        StrCat(KeyOf(run.planned, "variant"), " ", RoundedTo(run.run->calibration->Mean_px(), 2),
-               " +- ", RoundedTo(run.run->calibration->MeanSigma_px(), 2)),
-        texts);
-  }
-  for (const auto& [sequence, texts] : found) {
-    notes.push_back(StrCat(
-        sequence, ": calibration error found, mean over the image, px: ", Joined(texts, ", ")));
-  }
-}
-
 // Whether all rows are based on the same scenes and repetitions.
 bool HaveSameRuns(const std::vector<RowRuns>& rows, const std::vector<std::string>& keys) {
   std::set<std::set<std::string>> runs;
@@ -179,7 +158,6 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
                    " px; not comparable with rows on the published calibration"),
             notes);
   }
-  if (by_sequence) AddCalibrations(runs, notes);
   for (const SuiteRun& run : runs) {
     if (!run.run || !run.run->sequence.perturbation || by_perturbation) continue;
     AddOnce(StrCat(KeyOf(run.planned, "sequence"),
@@ -230,7 +208,7 @@ void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& fold
     for (const Column& column : table.columns) {
       Cell cell = MakeCell(runs, table.keys, column);
       cell.not_comparable = DifferingMeaning(runs, column);
-      if (reference != nullptr && cell.present && AreComparable(runs, *reference, column)) {
+      if (reference != nullptr && cell.value && AreComparable(runs, *reference, column)) {
         cell.difference = MakeDifference({table.keys, runs, *reference, table.reference}, column);
       }
       row.cells.push_back(std::move(cell));

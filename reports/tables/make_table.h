@@ -17,7 +17,7 @@ namespace cvo::reports {
 // One number that another system reached on some frames of a sequence, or on other scenes, for
 // which one of our suites is a substitute.
 struct ReferenceFigure {
-  std::size_t source = 0;  // index in Reference::sources
+  ReferenceSource source;
   std::string sequence;
   std::string body;   // empty: the camera, or all bodies; tables omit single bodies
   std::string suite;  // prefix of its name; sequence and frames are then unset
@@ -31,10 +31,7 @@ struct ReferenceFigure {
   std::vector<std::string> inferred;  // fields inferred from its figures, not stated in its text
 };
 
-struct Reference {
-  std::vector<ReferenceSource> sources;
-  std::vector<ReferenceFigure> figures;
-};
+using Reference = std::vector<ReferenceFigure>;
 
 // Adds the contents of a file of reference figures. Throws Error naming `where` and the field.
 void AddReference(std::string_view json, const std::string& where, Reference& reference);
@@ -65,8 +62,7 @@ Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
 // MakeTable does, and if the two have no run in common.
 Table CompareFolders(const std::filesystem::path& before, const std::filesystem::path& folder);
 
-// One line per cell whose paired difference is not 0: its size, its interval, and whether it is
-// distinguishable from noise. Distinguishable ones come first. "nothing changed" if there is none.
+// "3 of 40 values changed, 1 distinguishable from noise (*)".
 std::string MovedText(const Table& table);
 
 // Whether no job failed or has yet to run, and at least one was completed. Jobs whose sequence is

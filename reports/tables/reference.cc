@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -13,17 +14,10 @@ namespace {
 
 struct MetricMeaning {
   MetricUnit unit = MetricUnit::kOne;
-  Contract contract;
-  Json stated;  // the contract as written in the file
+  Json contract;
   std::vector<std::string> inferred;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("unit", self.unit);
-    archive.Field("contract", self.contract);
-    archive.Field("contract", self.stated);
-    archive.Optional("inferred", self.inferred);
-  }
+  CVO_RECORD(CVO_FIELD(unit, contract) CVO_OPTIONAL(inferred));
 };
 
 // What one system reaches on some frames, or for a suite.
@@ -37,33 +31,16 @@ struct SystemFigures {
   std::optional<TruthSource> truth;
   std::map<std::string, double> values;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    if (archive.Has("suite", !self.suite.empty())) {
-      archive.Field("suite", self.suite);
-    } else {
-      archive.Field("sequence", self.sequence);
-      archive.Field("first_frame", self.first_frame);
-      archive.Field("frames", self.frames);
-      archive.Optional("body", self.body);
-    }
-    archive.Field("system", self.system);
-    archive.Optional("truth", self.truth);
-    archive.Field("values", self.values);
-  }
+  CVO_RECORD(CVO_OPTIONAL(suite, sequence, body, first_frame, frames) CVO_FIELD(system)
+                 CVO_OPTIONAL(truth) CVO_FIELD(values));
 };
 
 struct SourceInFile : ReferenceSource {
   std::map<std::string, MetricMeaning> metrics;
   std::vector<SystemFigures> figures;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    ReferenceSource::VisitFields(self, archive);
-    archive.Optional("pair", self.pair);
-    archive.Field("metrics", self.metrics);
-    archive.Field("figures", self.figures);
-  }
+  CVO_RECORD(ReferenceSource::VisitFields(self, archive);
+             CVO_OPTIONAL(pair) CVO_FIELD(metrics, figures));
 };
 
 struct ReferenceInFile {
@@ -72,18 +49,17 @@ struct ReferenceInFile {
 
   std::vector<SourceInFile> sources;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("sources", self.sources);
-  }
+  CVO_FIELDS(sources);
 };
 
 // Rejects unknown fields: a misspelt field would otherwise count as not stated.
-void CheckMeaning(const MetricMeaning& meaning, const std::string& where) {
-  for (const auto& [field, value] : meaning.stated.items()) {
-    if (value.is_null() || !FieldText(meaning.contract, field).empty()) continue;
-    ThrowError(where + ", contract", field, "a field of a contract");
+Contract ContractOf(const MetricMeaning& meaning, const std::string& where) {
+  const auto contract = FromJson<Contract>(meaning.contract, where);
+  for (const auto& [field, value] : meaning.contract.items()) {
+    if (value.is_null() || !FieldText(contract, field).empty()) continue;
+    ThrowError(where, field, "a field of a contract");
   }
+  return contract;
 }
 
 void AddFigures(const SystemFigures& figures, const SourceInFile& source, const std::string& where,
@@ -91,110 +67,73 @@ void AddFigures(const SystemFigures& figures, const SourceInFile& source, const 
   for (const auto& [metric, value] : figures.values) {
     const auto meaning = source.metrics.find(metric);
     if (meaning == source.metrics.end()) {
-      ThrowError(where + ", values", metric, "one of the metrics of its source");
+      ThrowError(where + ", figures, values", metric, "one of the metrics of its source");
     }
-    ReferenceFigure figure{.source = reference.sources.size(),
-                           .sequence = figures.sequence,
-                           .body = figures.body,
-                           .suite = figures.suite,
-                           .first_frame = figures.first_frame,
-                           .frames = figures.frames,
-                           .system = figures.system,
-                           .metric = metric,
-                           .value = value,
-                           .unit = meaning->second.unit,
-                           .contract = meaning->second.contract,
-                           .inferred = meaning->second.inferred};
+    ReferenceFigure figure{
+        .source = source,
+        .sequence = figures.sequence,
+        .body = figures.body,
+        .suite = figures.suite,
+        .first_frame = figures.first_frame,
+        .frames = figures.frames,
+        .system = figures.system,
+        .metric = metric,
+        .value = value,
+        .unit = meaning->second.unit,
+        .contract = ContractOf(meaning->second, StrCat(where, ", metrics, ", metric, ", contract")),
+        .inferred = meaning->second.inferred};
     if (figures.truth) figure.contract.truth = figures.truth;
     // Authors who correct a calibration say so; if they say nothing, there is no correction.
     if (!figure.contract.right_shift_px) figure.contract.right_shift_px = 0.0;
-    reference.figures.push_back(std::move(figure));
+    reference.push_back(std::move(figure));
   }
 }
 
-ReferenceCell Compare(const ReferenceFigure& figure, const ReferenceSource& source, const Row& row,
-                      const Column& column) {
+// Whether a figure is comparable with ours, and if not, why.
+std::pair<Match, std::string> Compare(const ReferenceFigure& figure, const Row& row,
+                                      const Column& column) {
   const Contract ours = WithTruthOf(column.contract, row.truth);
   const SequenceInfo& sequence = *row.sequence;
   if (figure.first_frame != sequence.first_frame || figure.frames != sequence.frames) {
-    return {figure.value, Match::kOtherFrames,
+    return {Match::kOtherFrames,
             StrCat("frames ", FrameRange(figure.first_frame, figure.frames), ", ours ",
                    FrameRange(sequence.first_frame, sequence.frames))};
   }
-  if (!source.pair.empty() && source.pair != sequence.pair) {
-    return {figure.value, Match::kOtherImages, source.pair + " images, ours " + sequence.pair};
+  const std::string& pair = figure.source.pair;
+  if (!pair.empty() && pair != sequence.pair) {
+    return {Match::kOtherImages, pair + " images, ours " + sequence.pair};
   }
   const std::string differing =
       NameOf(figure.unit) != column.unit ? "unit" : ContradictingField(figure.contract, ours);
-  if (!differing.empty()) return {figure.value, Match::kContractDiffers, differing + " differs"};
+  if (!differing.empty()) return {Match::kContractDiffers, differing + " differs"};
   const std::vector<std::string> unstated = UnstatedFields(figure.contract, ours);
   if (!unstated.empty()) {
-    return {figure.value, Match::kContractUnknown, "not stated: " + Joined(unstated, ", ")};
+    return {Match::kContractUnknown, "not stated: " + Joined(unstated, ", ")};
   }
-  return {figure.value, Match::kMatches,
+  return {Match::kMatches,
           figure.inferred.empty() ? "" : "inferred, not stated: " + Joined(figure.inferred, ", ")};
 }
 
-ReferenceRow& RowOf(const ReferenceFigure& figure, std::size_t columns,
-                    std::vector<ReferenceRow>& rows) {
-  for (ReferenceRow& other : rows) {
-    if (other.source == figure.source && other.system == figure.system &&
-        other.first_frame == figure.first_frame && other.frames == figure.frames) {
-      return other;
-    }
-  }
-  rows.push_back({figure.source, figure.system, figure.first_frame, figure.frames, {}});
-  rows.back().cells.resize(columns);
-  return rows.back();
+void AddCell(const ReferenceFigure& figure, const Column& column,
+             const std::pair<Match, std::string>& match, std::vector<ReferenceRow>& rows) {
+  const ReferenceRow fresh{figure.source.id, figure.system, figure.first_frame, figure.frames};
+  const auto same = [](const ReferenceRow& row) {
+    return std::tuple(row.source, row.system, row.first_frame, row.frames);
+  };
+  const ReferenceCell cell{figure.metric, column.unit, figure.value, match.first, match.second};
+  FindOrAdd(FindOrAdd(rows, same, fresh).cells, &ReferenceCell::metric, cell) = cell;
 }
 
 bool HasMatch(const ReferenceRow& row) {
-  return std::any_of(row.cells.begin(), row.cells.end(), [](const auto& cell) {
-    return cell.has_value() && cell->match == Match::kMatches;
-  });
+  return FindBy(row.cells, &ReferenceCell::match, Match::kMatches) != nullptr;
 }
 
-void AddToRow(const Reference& reference, const std::vector<Column>& columns, Row& row) {
-  for (const ReferenceFigure& figure : reference.figures) {
-    if (figure.sequence != row.sequence->name || !figure.body.empty()) continue;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      if (columns[i].metric != figure.metric) continue;
-      RowOf(figure, columns.size(), row.reference).cells[i] =
-          Compare(figure, reference.sources[figure.source], row, columns[i]);
-    }
+// Adds the sources of these rows, in the order of their first use.
+void AddSources(const std::vector<ReferenceRow>& rows, const Reference& reference, Table& table) {
+  const auto id = [](const ReferenceFigure& figure) { return figure.source.id; };
+  for (const ReferenceRow& row : rows) {
+    FindOrAdd(table.sources, &ReferenceSource::id, FindBy(reference, id, row.source)->source);
   }
-  std::stable_partition(row.reference.begin(), row.reference.end(), HasMatch);
-}
-
-// Adds the figures for a whole suite of other scenes. Their values are never comparable, only their
-// order is.
-void AddToTable(const Reference& reference, Table& table) {
-  for (const ReferenceFigure& figure : reference.figures) {
-    if (figure.suite.empty() || !table.title.starts_with(figure.suite)) continue;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (table.columns[i].metric != figure.metric) continue;
-      RowOf(figure, table.columns.size(), table.others).cells[i] =
-          ReferenceCell{figure.value, Match::kOtherScenes, "other scenes"};
-    }
-  }
-}
-
-// Keeps only the sources that a row refers to, in the order of their first use.
-void KeepUsedSources(const Reference& reference, Table& table) {
-  std::vector<std::size_t> used;
-  const auto keep = [&](std::vector<ReferenceRow>& lines) {
-    for (ReferenceRow& line : lines) {
-      const auto found = std::find(used.begin(), used.end(), line.source);
-      const auto index = static_cast<std::size_t>(found - used.begin());
-      if (found == used.end()) {
-        used.push_back(line.source);
-        table.sources.push_back(reference.sources[line.source]);
-      }
-      line.source = index;
-    }
-  };
-  for (Row& row : table.rows) keep(row.reference);
-  keep(table.others);
 }
 
 }  // namespace
@@ -202,14 +141,9 @@ void KeepUsedSources(const Reference& reference, Table& table) {
 void AddReference(std::string_view json, const std::string& where, Reference& reference) {
   for (const SourceInFile& source :
        ReadRecord<ReferenceInFile>(ParseJson(json, where), where).sources) {
-    const std::string place = where + ", " + source.id;
-    for (const auto& [metric, meaning] : source.metrics) {
-      CheckMeaning(meaning, StrCat(place, ", metrics, ", metric));
-    }
     for (const SystemFigures& figures : source.figures) {
-      AddFigures(figures, source, place + ", figures", reference);
+      AddFigures(figures, source, where + ", " + source.id, reference);
     }
-    reference.sources.push_back(source);
   }
 }
 
@@ -220,18 +154,33 @@ Reference ShippedReference() {
 }
 
 void AddReferenceRows(const Reference& reference, Table& table) {
-  std::vector<std::string> seen;  // references of a sequence are shown once, below its last row
-  for (auto row = table.rows.rbegin(); row != table.rows.rend(); ++row) {
-    if (!row->sequence) continue;
-    const SequenceInfo& sequence = *row->sequence;
-    const std::string key = StrCat(sequence.name, "/", sequence.pair, "/", sequence.first_frame,
-                                   "/", sequence.frames, "/", row->corrections);
-    if (std::find(seen.begin(), seen.end(), key) != seen.end()) continue;
-    seen.push_back(key);
-    AddToRow(reference, table.columns, *row);
+  std::map<std::string, Row*> last;  // references of a sequence are shown once, below its last row
+  for (Row& row : table.rows) {
+    if (!row.sequence) continue;
+    const SequenceInfo& sequence = *row.sequence;
+    last[StrCat(sequence.name, "/", sequence.pair, "/", sequence.first_frame, "/", sequence.frames,
+                "/", row.corrections)] = &row;
   }
-  AddToTable(reference, table);
-  KeepUsedSources(reference, table);
+  for (Row& row : table.rows) {
+    const bool shows = std::any_of(last.begin(), last.end(),
+                                   [&](const auto& shown) { return shown.second == &row; });
+    for (const ReferenceFigure& figure : reference) {
+      const Column* column = FindBy(table.columns, &Column::metric, figure.metric);
+      if (!shows || column == nullptr || !figure.body.empty()) continue;
+      if (figure.sequence != row.sequence->name) continue;
+      AddCell(figure, *column, Compare(figure, row, *column), row.reference);
+    }
+    std::stable_partition(row.reference.begin(), row.reference.end(), HasMatch);
+    AddSources(row.reference, reference, table);
+  }
+  // The values for a whole suite of other scenes are never comparable, only their order is.
+  for (const ReferenceFigure& figure : reference) {
+    const Column* column = FindBy(table.columns, &Column::metric, figure.metric);
+    if (column == nullptr || figure.suite.empty() || !table.title.starts_with(figure.suite))
+      continue;
+    AddCell(figure, *column, {Match::kOtherScenes, "other scenes"}, table.others);
+  }
+  AddSources(table.others, reference, table);
 }
 
 }  // namespace cvo::reports

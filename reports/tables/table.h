@@ -9,11 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/lists.h"
 #include "core/record/run_summary.h"
 
 namespace cvo::reports {
-
-struct Table;
 
 struct ReferenceSource {
   std::string id;
@@ -22,13 +21,7 @@ struct ReferenceSource {
   std::string caveat;
   std::string pair;  // images that were used; empty: unknown
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("id", self.id);
-    archive.Field("source", self.source);
-    archive.Field("kind", self.kind);
-    archive.Field("caveat", self.caveat);
-  }
+  CVO_FIELDS(id, source, kind, caveat);
 };
 
 struct Column {
@@ -37,13 +30,7 @@ struct Column {
   std::string unit;
   Contract contract;  // the fields that all its cells share
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("metric", self.metric);
-    archive.Field("label", self.label);
-    archive.Field("unit", self.unit);
-    archive.Field("contract", self.contract);
-  }
+  CVO_FIELDS(metric, label, unit, contract);
 };
 
 struct Interval {
@@ -51,12 +38,7 @@ struct Interval {
   double high = 0.0;
   std::string meaning;  // what was resampled, in words
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("low", self.low);
-    archive.Field("high", self.high);
-    archive.Field("meaning", self.meaning);
-  }
+  CVO_FIELDS(low, high, meaning);
 };
 
 // What a value is a mean over.
@@ -66,13 +48,7 @@ struct Counts {
   std::size_t bodies = 0;  // 0: a metric of whole runs
   std::size_t seeds = 0;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("runs", self.runs);
-    archive.Field("scenes", self.scenes);
-    archive.Field("bodies", self.bodies);
-    archive.Field("seeds", self.seeds);
-  }
+  CVO_FIELDS(runs, scenes, bodies, seeds);
 };
 
 // A cell compared with the same cell of the reference row, both over what the two have in common.
@@ -84,9 +60,6 @@ struct Difference {
   std::optional<Interval> interval;
   std::optional<double> percent;  // the difference in percent of the reference
   std::optional<Interval> percent_interval;
-  std::optional<double> reference_lower;  // by how many percent the reference is lower
-  std::optional<Interval> reference_lower_interval;
-  std::optional<double> effect;  // difference / standard deviation of the pairs' differences
   // The interval excludes 0, adjusted_p_value is below 5 %, and there are enough pairs.
   bool distinguishable = false;
   std::size_t pairs = 0;                        // scenes, or bodies of the only scene
@@ -95,30 +68,14 @@ struct Difference {
   std::optional<double> adjusted_p_value = {};  // corrected for all comparisons of the table (Holm)
   std::optional<std::size_t> scenes_for_10_percent = {};  // needed to detect kPowerDifference
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("reference", self.reference);
-    archive.Field("value", self.value);
-    archive.Field("reference_value", self.reference_value);
-    archive.Field("difference", self.difference);
-    archive.Optional("interval", self.interval);
-    archive.Optional("percent", self.percent);
-    archive.Optional("percent_interval", self.percent_interval);
-    archive.Optional("reference_lower_percent", self.reference_lower);
-    archive.Optional("reference_lower_percent_interval", self.reference_lower_interval);
-    archive.Optional("effect", self.effect);
-    archive.Field("distinguishable", self.distinguishable);
-    archive.Field("pairs", self.pairs);
-    archive.Field("pairing", self.pairing);
-    archive.Optional("p_value", self.p_value);
-    archive.Optional("adjusted_p_value", self.adjusted_p_value);
-    archive.Optional("scenes_for_10_percent", self.scenes_for_10_percent);
-  }
+  CVO_RECORD(CVO_FIELD(reference, value, reference_value, difference)
+                 CVO_OPTIONAL(interval, percent, percent_interval)
+                     CVO_FIELD(distinguishable, pairs, pairing)
+                         CVO_OPTIONAL(p_value, adjusted_p_value, scenes_for_10_percent));
 };
 
 struct Cell {
-  bool present = false;
-  double value = 0.0;
+  std::optional<double> value;
   Counts n;
   std::optional<Interval> interval;
   std::optional<Difference> difference;
@@ -127,8 +84,8 @@ struct Cell {
   std::string not_comparable;     // why the value is not comparable with the others of its column
   std::vector<std::size_t> runs;  // indices into Row::runs
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive, const Column& column);
+  CVO_RECORD(CVO_OPTIONAL(value) CVO_FIELD(n)
+                 CVO_OPTIONAL(interval, difference, left_out, message, not_comparable, runs));
 };
 
 // Whether a reference figure is comparable with ours in the same row and column, and if not, why.
@@ -145,21 +102,30 @@ constexpr std::array<const char*, 6> EnumNames(Match) {
           "other images", "contract not stated", "contract differs"};
 }
 
+// A reference figure in the column of its metric.
 struct ReferenceCell {
+  std::string metric;
+  std::string unit;
   double value = 0.0;
   Match match = Match::kMatches;
-  std::string reason;  // what differs, is not stated or was inferred
+  std::string reason = {};  // what differs, is not stated or was inferred
+
+  CVO_RECORD(CVO_FIELD(metric, unit, value, match) CVO_OPTIONAL(reason));
 };
 
 struct ReferenceRow {
-  std::size_t source = 0;  // index in Table::sources
+  std::string source;  // ReferenceSource::id
   std::string system;
   int first_frame = 0;
-  int frames = 0;                                   // 0: unknown
-  std::vector<std::optional<ReferenceCell>> cells;  // one per column
+  int frames = 0;  // 0: unknown
+  std::vector<ReferenceCell> cells = {};
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive, const Table& table);
+  // nullptr if it has no figure in this column.
+  const ReferenceCell* Find(const Column& column) const {
+    return FindBy(cells, &ReferenceCell::metric, column.metric);
+  }
+
+  CVO_FIELDS(source, system, first_frame, frames, cells);
 };
 
 // The number of jobs of a row or table by outcome.
@@ -173,15 +139,7 @@ struct JobCounts {
 
   bool AllDone() const { return done == planned; }
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("planned", self.planned);
-    archive.Field("done", self.done);
-    archive.Field("lost", self.lost);
-    archive.Field("failed", self.failed);
-    archive.Field("not_run", self.not_run);
-    archive.Field("no_data", self.no_data);
-  }
+  CVO_FIELDS(planned, done, lost, failed, not_run, no_data);
 };
 
 struct RunLink {
@@ -189,12 +147,7 @@ struct RunLink {
   std::uint64_t seed = 0;
   std::string result;  // relative to the table
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("sequence", self.sequence);
-    archive.Field("seed", self.seed);
-    archive.Field("result", self.result);
-  }
+  CVO_FIELDS(sequence, seed, result);
 };
 
 struct Row {
@@ -208,8 +161,8 @@ struct Row {
   std::vector<Cell> cells;  // one per column
   std::vector<ReferenceRow> reference;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive, const Table& table);
+  CVO_RECORD(CVO_FIELD(keys) CVO_OPTIONAL(sequence, truth, corrections, split)
+                 CVO_FIELD(jobs, runs, cells, reference));
 };
 
 // A job without a result, or with one to be read with care.
@@ -221,15 +174,7 @@ struct Problem {
   std::string message;
   std::string log;  // of a failed job
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("row", self.row);
-    archive.Field("sequence", self.sequence);
-    archive.Field("seed", self.seed);
-    archive.Field("state", self.state);
-    archive.Field("message", self.message);
-    archive.Optional("log", self.log);
-  }
+  CVO_RECORD(CVO_FIELD(row, sequence, seed, state, message) CVO_OPTIONAL(log));
 };
 
 // An option that at least one run does not leave at its default. Values are JSON texts.
@@ -238,8 +183,7 @@ struct ChangedOption {
   std::string default_value;
   std::vector<std::string> values;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive);
+  CVO_FIELDS(path, default_value, values);
 };
 
 struct Provenance {
@@ -247,17 +191,12 @@ struct Provenance {
   std::vector<std::uint64_t> seeds;
   std::vector<ChangedOption> options;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("builds", self.builds);
-    archive.Field("seeds", self.seeds);
-    archive.Field("options", self.options);
-  }
+  CVO_FIELDS(builds, seeds, options);
 };
 
 // The contents of table.json.
 struct Table {
-  static constexpr int kSchemaVersion = 3;
+  static constexpr int kSchemaVersion = 4;
   static constexpr const char* kKind = "table";
 
   std::string title;
@@ -274,8 +213,8 @@ struct Table {
   std::vector<std::string> notes;  // what a reader must know to compare rows
   Provenance provenance;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive);
+  CVO_RECORD(CVO_FIELD(title, about, reference, keys, columns, rows, others, sources, jobs,
+                       problems, notes, provenance) CVO_OPTIONAL(change));
 };
 
 // The values of the keys of a row, such as "indoor_1 full".

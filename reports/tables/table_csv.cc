@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
 #include <charconv>
 #include <string_view>
 
@@ -31,44 +32,35 @@ bool LooksLikeFormula(const std::string& text) {
 class Record {
  public:
   void Text(const std::string& text) { fields_.push_back(CsvField(text)); }
-  void Names(const std::string& names) { fields_.push_back(names); }  // in CSV
-  void Number(double value) { fields_.push_back(FormatDouble(value)); }
-  void Number(const std::optional<double>& value) { value ? Number(*value) : Blanks(1); }
-  void Count(std::size_t count) { fields_.push_back(StrCat(count)); }
-  void Blanks(std::size_t count) { fields_.resize(fields_.size() + count); }
-  void Ends(const std::optional<Interval>& interval) {
-    if (!interval) return Blanks(2);
-    Number(interval->low);
-    Number(interval->high);
+  void Number(const std::optional<double>& value) {
+    fields_.push_back(value ? FormatDouble(*value) : "");
   }
+  void Count(std::size_t count) { fields_.push_back(StrCat(count)); }
+  void Ends(const std::optional<Interval>& interval) {
+    Number(interval ? std::optional(interval->low) : std::nullopt);
+    Number(interval ? std::optional(interval->high) : std::nullopt);
+  }
+  void Blanks(std::size_t count) { fields_.resize(fields_.size() + count); }
   std::string Line() const { return Joined(fields_, ",") + "\r\n"; }
 
  private:
   std::vector<std::string> fields_;
 };
 
-// The published figures of a line; nullptr if it is ours.
-const ReferenceRow* TheirsOf(const Table& table, const TextLine& line) {
-  if (!line.reference) return nullptr;
-  return line.row ? &table.rows[*line.row].reference[*line.reference]
-                  : &table.others[*line.reference];
-}
-
 // The fields that begin each record of a line: whose figures they are, and of which frames.
 Record HeadOf(const Table& table, const TextLine& line) {
   Record record;
-  if (!line.row) record.Blanks(table.keys.size());
-  if (line.row) {
-    for (const std::string& key : table.rows[*line.row].keys) record.Text(key);
+  for (std::size_t i = 0; i < table.keys.size(); ++i) {
+    record.Text(line.row != nullptr ? line.row->keys[i] : "");
   }
-  if (const ReferenceRow* theirs = TheirsOf(table, line)) {
+  if (const ReferenceRow* theirs = line.theirs) {
     record.Text(theirs->system);
-    record.Text(table.sources[theirs->source].source);
+    record.Text(FindBy(table.sources, &ReferenceSource::id, theirs->source)->source);
     record.Text(theirs->frames > 0 ? FrameRange(theirs->first_frame, theirs->frames) : "");
     record.Blanks(4);
     return record;
   }
-  const Row& row = table.rows[*line.row];
+  const Row& row = *line.row;
   record.Blanks(2);
   record.Text(row.sequence ? FrameRange(row.sequence->first_frame, row.sequence->frames) : "");
   record.Text(TruthText(row.truth));
@@ -76,14 +68,6 @@ Record HeadOf(const Table& table, const TextLine& line) {
   record.Count(row.jobs.done);
   record.Count(row.jobs.planned);
   return record;
-}
-
-// The header of all records, with the names of the fields that follow their heads.
-std::string HeaderLine(const Table& table, const std::string& names) {
-  Record keys;
-  for (const std::string& key : table.keys) keys.Text(key);
-  keys.Names("system,source,frames,truth,split,runs_done,runs_planned" + names);
-  return keys.Line();
 }
 
 std::string Marks(const CellText& cell) {
@@ -95,78 +79,34 @@ std::string Marks(const CellText& cell) {
   return Joined(marks, " ");
 }
 
-// Value, low, high, n, marks and note.
-void AddWideCell(const Table& table, const TextLine& line, std::size_t column, Record& record) {
+constexpr std::array kFields = {" low", " high", " n", " marks", " note"};
+constexpr std::array kDifferenceFields = {" difference", " difference low", " difference high",
+                                          " adjusted p"};
+
+// The value and kFields.
+void AddCell(const TextLine& line, const ReferenceCell* theirs, std::size_t column,
+             Record& record) {
   const CellText& text = line.cells[column];
-  if (const ReferenceRow* theirs = TheirsOf(table, line)) {
-    const auto& cell = theirs->cells[column];
-    record.Number(cell ? std::optional(cell->value) : std::nullopt);
+  if (line.theirs != nullptr) {
+    record.Number(theirs != nullptr ? std::optional(theirs->value) : std::nullopt);
     record.Blanks(3);
   } else {
-    const Cell& cell = table.rows[*line.row].cells[column];
-    record.Number(cell.present ? std::optional(cell.value) : std::nullopt);
-    record.Ends(cell.interval);
+    record.Number(line.row->cells[column].value);
+    record.Ends(line.row->cells[column].interval);
     record.Text(text.n);
   }
   record.Text(Marks(text));
   record.Text(text.note);
 }
 
-constexpr std::size_t kDifferenceFields = 9;
-
-void AddDifference(const std::optional<Difference>& difference, Record& record) {
-  if (!difference) return record.Blanks(kDifferenceFields);
-  record.Text(difference->reference);
-  record.Number(difference->difference);
-  record.Ends(difference->interval);
-  record.Count(difference->pairs);
-  record.Number(difference->p_value);
-  record.Number(difference->adjusted_p_value);
-  record.Text(difference->scenes_for_10_percent ? StrCat(*difference->scenes_for_10_percent) : "");
-  record.Text(difference->distinguishable ? "true" : "false");
-}
-
-// The value, what it is a mean over, and the coverage that it must be read with.
-void AddValue(const Row& row, std::size_t column, const std::optional<std::size_t>& coverage,
-              Record& record) {
-  const Cell& cell = row.cells[column];
-  record.Number(cell.present ? std::optional(cell.value) : std::nullopt);
-  record.Ends(cell.interval);
-  record.Text(cell.interval ? cell.interval->meaning : "");
-  if (!cell.present) record.Blanks(4);
-  for (const std::size_t count : {cell.n.runs, cell.n.scenes, cell.n.bodies, cell.n.seeds}) {
-    if (cell.present) record.Count(count);
+void AddDifference(const TextLine& line, std::size_t column, Record& record) {
+  if (line.theirs != nullptr || !line.row->cells[column].difference) {
+    return record.Blanks(kDifferenceFields.size());
   }
-  const bool covered = coverage && row.cells[*coverage].present;
-  record.Number(covered ? std::optional(row.cells[*coverage].value) : std::nullopt);
-}
-
-std::string LongRecord(const Table& table, const TableTexts& texts, const TextLine& line,
-                       std::size_t column) {
-  const CellText& text = line.cells[column];
-  Record record = HeadOf(table, line);
-  record.Text(table.columns[column].metric);
-  record.Text(table.columns[column].unit);
-  if (const ReferenceRow* theirs = TheirsOf(table, line)) {
-    const ReferenceCell& cell = *theirs->cells[column];
-    record.Number(cell.value);
-    record.Blanks(7 + 1 + kDifferenceFields + 1);
-    record.Text(Marks(text));
-    record.Blanks(2);
-    record.Text(NameOf(cell.match));
-    record.Text(text.note);
-    return record.Line();
-  }
-  const Row& row = table.rows[*line.row];
-  const Cell& cell = row.cells[column];
-  AddValue(row, column, texts.columns[column].coverage, record);
-  AddDifference(cell.difference, record);
-  record.Text(cell.left_out);
-  record.Text(Marks(text));
-  record.Text(cell.not_comparable);
-  record.Text(cell.message);
-  record.Blanks(2);
-  return record.Line();
+  const Difference& difference = *line.row->cells[column].difference;
+  record.Number(difference.difference);
+  record.Ends(difference.interval);
+  record.Number(difference.adjusted_p_value);
 }
 
 }  // namespace
@@ -183,35 +123,26 @@ std::string CsvField(const std::string& text) {
 
 std::string TableCsv(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  std::string names;
-  for (const Column& column : table.columns) {
-    const std::string unit = column.unit == "1" ? "" : StrCat(" [", column.unit, "]");
-    names += "," + CsvField(column.metric + unit);
-    for (const char* what : {" low", " high", " n", " marks", " note"}) {
-      names += "," + CsvField(column.metric + what);
-    }
+  Record header;
+  for (const std::string& key : table.keys) header.Text(key);
+  for (const char* name :
+       {"system", "source", "frames", "truth", "split", "runs_done", "runs_planned"}) {
+    header.Text(name);
   }
-  std::string csv = HeaderLine(table, names);
+  for (const Column& column : table.columns) {
+    header.Text(column.metric + (column.unit == "1" ? "" : StrCat(" [", column.unit, "]")));
+    for (const char* what : kFields) header.Text(column.metric + what);
+    if (table.reference.empty()) continue;
+    for (const char* what : kDifferenceFields) header.Text(column.metric + what);
+  }
+  std::string csv = header.Line();
   for (const TextLine& line : texts.blocks[0].lines) {
     Record record = HeadOf(table, line);
-    for (std::size_t i = 0; i < table.columns.size(); ++i) AddWideCell(table, line, i, record);
-    csv += record.Line();
-  }
-  return csv;
-}
-
-std::string TableLongCsv(const Table& table) {
-  const TableTexts texts = MakeTexts(table);
-  std::string csv = HeaderLine(
-      table,
-      ",metric,unit,value,low,high,interval,runs,scenes,bodies,seeds,coverage,reference,difference,"
-      "difference_low,difference_high,pairs,p_value,adjusted_p_value,scenes_for_10_percent,"
-      "distinguishable,left_out,marks,not_comparable,message,comparison,comparison_reason");
-  for (const TextLine& line : texts.blocks[0].lines) {
-    const ReferenceRow* theirs = TheirsOf(table, line);
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (theirs == nullptr || theirs->cells[i]) csv += LongRecord(table, texts, line, i);
+      AddCell(line, line.theirs ? line.theirs->Find(table.columns[i]) : nullptr, i, record);
+      if (!table.reference.empty()) AddDifference(line, i, record);
     }
+    csv += record.Line();
   }
   return csv;
 }

@@ -13,15 +13,12 @@
 namespace cvo::reports {
 namespace {
 
-constexpr char kDim[] = "\033[2m";
-constexpr char kPlain[] = "\033[0m";
 constexpr std::size_t kGap = 2;
 
 // A text as printed, with its marks separate so that digits align.
 struct Entry {
   std::string text;
-  std::string marks;
-  bool grey = false;
+  std::string marks = {};
 };
 using Entries = std::vector<Entry>;
 
@@ -36,17 +33,16 @@ struct Layout {
 // only if some cell has one.
 std::vector<Entries> EntriesOf(const TextLine& line, const std::vector<std::size_t>& columns) {
   Entries values;
-  for (const std::string& text : line.texts) values.push_back({text, "", line.grey});
+  for (const std::string& text : line.texts) values.push_back({text});
   for (const std::size_t column : columns) {
     const CellText& cell = line.cells[column];
-    values.push_back(
-        {cell.Shown(), StrCat(cell.distinguishable ? "*" : "", cell.best ? "^" : ""), cell.grey});
+    values.push_back({cell.Shown(), StrCat(cell.distinguishable ? "*" : "", cell.best ? "^" : "")});
   }
   std::vector<Entries> rows = {values};
   for (const auto part : {&CellText::interval, &CellText::percent, &CellText::percent_interval}) {
     Entries entries(line.texts.size());
     for (const std::size_t column : columns) {
-      entries.push_back({line.cells[column].*part, "", line.cells[column].grey});
+      entries.push_back({line.cells[column].*part});
     }
     const bool any = std::any_of(entries.begin(), entries.end(),
                                  [](const Entry& entry) { return !entry.text.empty(); });
@@ -57,9 +53,9 @@ std::vector<Entries> EntriesOf(const TextLine& line, const std::vector<std::size
 
 Entries HeaderEntries(const TableTexts& texts, const std::vector<std::size_t>& columns) {
   Entries header;
-  for (const std::string& name : texts.text_header) header.push_back({name, "", false});
+  for (const std::string& name : texts.text_header) header.push_back({name});
   for (const std::size_t column : columns) {
-    header.push_back({texts.columns[column].Heading(), "", false});
+    header.push_back({texts.columns[column].Heading()});
   }
   return header;
 }
@@ -89,19 +85,8 @@ std::vector<std::size_t> AllColumns(const TableTexts& texts) {
   return all;
 }
 
-// The columns that adding `column` brings, its coverage included, without those already there.
-std::vector<std::size_t> Missing(const std::vector<ColumnText>& columns,
-                                 const std::vector<std::size_t>& there, std::size_t column) {
-  std::vector<std::size_t> missing = {column};
-  if (columns[column].coverage) missing.insert(missing.begin(), *columns[column].coverage);
-  std::erase_if(missing, [&](std::size_t index) {
-    return std::find(there.begin(), there.end(), index) != there.end();
-  });
-  return missing;
-}
-
 // Splits a table that is too wide into parts. Returns the columns of each part: from left to right
-// as many as fit, at least one, and never an accuracy without its coverage.
+// as many as fit, at least one.
 std::vector<std::vector<std::size_t>> SplitForWidth(const TableTexts& texts, std::size_t width) {
   const std::vector<std::size_t> all = AllColumns(texts);
   if (width == 0) return {all};
@@ -110,22 +95,17 @@ std::vector<std::vector<std::size_t>> SplitForWidth(const TableTexts& texts, std
   for (std::size_t i = 0; i < layout.text_columns; ++i) {
     left += layout.widths[i] + (i > 0 ? kGap : 0);
   }
-  const auto width_of = [&](const std::vector<std::size_t>& columns) {
-    std::size_t sum = 0;
-    for (const std::size_t column : columns) {
-      const std::size_t at = layout.text_columns + column;
-      sum += kGap + layout.widths[at] + layout.marks[at];
-    }
-    return sum;
-  };
   std::vector<std::vector<std::size_t>> panels = {{}};
+  std::size_t used = left;
   for (const std::size_t column : all) {
-    std::vector<std::size_t> more = Missing(texts.columns, panels.back(), column);
-    if (!panels.back().empty() && left + width_of(panels.back()) + width_of(more) > width) {
+    const std::size_t at = layout.text_columns + column;
+    const std::size_t more = kGap + layout.widths[at] + layout.marks[at];
+    if (!panels.back().empty() && used + more > width) {
       panels.emplace_back();
-      more = Missing(texts.columns, {}, column);
+      used = left;
     }
-    panels.back().insert(panels.back().end(), more.begin(), more.end());
+    panels.back().push_back(column);
+    used += more;
   }
   return panels;
 }
@@ -137,27 +117,26 @@ std::string Padded(const Entry& entry, std::size_t column, const Layout& layout)
                                       : blanks + entry.text + entry.marks + behind;
 }
 
-std::string LineText(const Entries& entries, const Layout& layout, bool dim) {
+std::string LineText(const Entries& entries, const Layout& layout) {
   std::string line;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const std::string text = Padded(entries[i], i, layout);
     if (i > 0) line.append(kGap, ' ');
-    line += dim && entries[i].grey && !entries[i].text.empty() ? kDim + text + kPlain : text;
+    line += Padded(entries[i], i, layout);
   }
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
 
 std::string PanelText(const TableTexts& texts, const TextBlock& block,
-                      const std::vector<std::size_t>& columns, bool dim) {
+                      const std::vector<std::size_t>& columns) {
   const Layout layout = MeasureLayout(texts, columns);
-  std::string text = LineText(HeaderEntries(texts, columns), layout, dim);
+  std::string text = LineText(HeaderEntries(texts, columns), layout);
   for (const TextLine& line : block.lines) {
     const bool has_value = std::any_of(columns.begin(), columns.end(), [&](std::size_t column) {
       return !line.cells[column].value.empty();
     });
     if (!columns.empty() && !has_value) continue;
-    for (const Entries& entries : EntriesOf(line, columns)) text += LineText(entries, layout, dim);
+    for (const Entries& entries : EntriesOf(line, columns)) text += LineText(entries, layout);
   }
   return text;
 }
@@ -262,7 +241,7 @@ std::string Comments(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::string TableText(const Table& table, bool dim, std::size_t width) {
+std::string TableText(const Table& table, std::size_t width) {
   const TableTexts texts = MakeTexts(table);
   const auto panels = SplitForWidth(texts, width);
   std::string text = texts.title.empty() ? "" : texts.title + "\n";
@@ -272,7 +251,7 @@ std::string TableText(const Table& table, bool dim, std::size_t width) {
     for (const auto& columns : panels) {
       const bool behind_heading = !block.heading.empty() && &columns == &panels.front();
       if (!text.empty() && !behind_heading) text += "\n";
-      text += PanelText(texts, block, columns, dim);
+      text += PanelText(texts, block, columns);
     }
   }
   text += "\n";

@@ -91,23 +91,16 @@ std::vector<std::string> ResultTexts(const Row& row, const Table& table) {
   return AllPrintable(texts);
 }
 
-// The units that an interval resamples: "4 scenes" or, for a single scene, "11 bodies" or "5 runs".
-std::string UnitsText(const Counts& n) {
-  if (n.scenes > 1) return Counted(n.scenes, "scene");
-  return n.bodies > 0 ? Counted(n.bodies, "body", "bodies") : Counted(n.runs, "run");
-}
-
 CellText ValueText(const Cell& cell, int decimals) {
   CellText text;
   text.value = "-";
-  if (!cell.present) {
+  if (!cell.value) {
     text.note = Printable(cell.message);
     return text;
   }
-  text.value = Fixed(cell.value, decimals);
+  text.value = Fixed(*cell.value, decimals);
   if (cell.interval) text.interval = RangeText(*cell.interval, decimals);
   text.n = CountsText(cell.n);
-  text.units = UnitsText(cell.n);
   text.distinguishable = cell.difference && cell.difference->distinguishable;
   text.grey = !cell.not_comparable.empty();
   if (text.grey) text.note = Printable("defined differently: " + cell.not_comparable);
@@ -115,9 +108,9 @@ CellText ValueText(const Cell& cell, int decimals) {
 }
 
 // Formats a published figure as it was printed.
-CellText ReferenceText(const std::optional<ReferenceCell>& cell) {
+CellText ReferenceText(const ReferenceCell* cell) {
   CellText text;
-  if (!cell) return text;
+  if (cell == nullptr) return text;
   text.value = FormatGeneral(cell->value, 6);
   text.grey = cell->match != Match::kMatches;
   text.note = Printable(cell->reason);
@@ -128,20 +121,21 @@ CellText ReferenceText(const std::optional<ReferenceCell>& cell) {
   return text;
 }
 
-TextLine ReferenceLine(const ReferenceRow& line, const Table& table) {
-  TextLine texts;
+TextLine ReferenceLine(const ReferenceRow& line, const Row* row, const Table& table) {
+  TextLine texts{row, &line};
   texts.texts.resize(TextHeader(table).size());
   const auto variant = std::find(table.keys.begin(), table.keys.end(), "variant");
   const auto at = variant == table.keys.end() ? 0 : variant - table.keys.begin();
   texts.texts[static_cast<std::size_t>(at)] =
-      Printable(line.system) + " " + SourceMark(line.source);
+      Printable(line.system) + " " + SourceMark(table, line.source);
   if (line.frames > 0 && ShowsSequences(table)) {
     texts.texts[table.keys.size()] = FrameRange(line.first_frame, line.frames);
   }
   texts.grey = true;
-  for (const auto& cell : line.cells) {
+  for (const Column& column : table.columns) {
+    const ReferenceCell* cell = line.Find(column);
     texts.cells.push_back(ReferenceText(cell));
-    if (cell && cell->match == Match::kMatches) texts.grey = false;
+    if (cell != nullptr && cell->match == Match::kMatches) texts.grey = false;
   }
   return texts;
 }
@@ -160,7 +154,6 @@ CellText DifferenceText(const std::optional<Difference>& difference, int decimal
     text.percent_interval = RangeText(*difference->percent_interval, 0) + "%";
   }
   text.n = Counted(difference->pairs, "pair");
-  text.units = text.n;
   text.distinguishable = difference->distinguishable;
   return text;
 }
@@ -180,8 +173,8 @@ std::vector<int> ValueDecimals(const Table& table, std::size_t column, int& most
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       const Cell& cell = table.rows[i].cells[column];
-      if (!cell.present || cell.not_comparable.empty() != comparable) continue;
-      figures.push_back({cell.value, cell.interval});
+      if (!cell.value || cell.not_comparable.empty() != comparable) continue;
+      figures.push_back({*cell.value, cell.interval});
       rows.push_back(i);
     }
     const std::vector<int> found = ColumnDecimals(figures, UnitForDigits(table.columns[column]));
@@ -218,25 +211,16 @@ void AddColumn(const Table& table, std::size_t column, std::vector<TextLine>& va
 // reference itself.
 void AddBlocks(const Table& table, TableTexts& texts) {
   std::vector<TextLine> values;
-  for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    values.push_back({i, std::nullopt, ResultTexts(table.rows[i], table), {}, false});
-  }
+  for (const Row& row : table.rows) values.push_back({&row, nullptr, ResultTexts(row, table)});
   std::vector<TextLine> differences = values;
   for (std::size_t i = 0; i < table.columns.size(); ++i) AddColumn(table, i, values, differences);
-  TextBlock& block = texts.blocks.emplace_back();
-  const auto add_references = [&](const std::vector<ReferenceRow>& rows,
-                                  std::optional<std::size_t> below) {
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      block.lines.push_back(ReferenceLine(rows[i], table));
-      block.lines.back().row = below;
-      block.lines.back().reference = i;
-    }
-  };
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    block.lines.push_back(std::move(values[i]));
-    add_references(table.rows[i].reference, i);
+  std::vector<TextLine>& lines = texts.blocks.emplace_back().lines;
+  for (TextLine& line : values) {
+    const Row* row = line.row;
+    lines.push_back(std::move(line));
+    for (const auto& theirs : row->reference) lines.push_back(ReferenceLine(theirs, row, table));
   }
-  add_references(table.others, std::nullopt);
+  for (const auto& theirs : table.others) lines.push_back(ReferenceLine(theirs, nullptr, table));
   std::erase_if(differences, [](const TextLine& line) {
     return std::all_of(line.cells.begin(), line.cells.end(),
                        [](const CellText& cell) { return cell.value.empty(); });
@@ -250,33 +234,38 @@ void AddBlocks(const Table& table, TableTexts& texts) {
 
 // Whether the coverage that the metric must be read with is 0. Such a row cannot be best, for
 // example for having no identity switches.
-bool HasZeroCoverage(const Row& row, const ColumnText& column) {
-  return column.coverage && row.cells[*column.coverage].present &&
-         row.cells[*column.coverage].value == 0.0;
+bool HasZeroCoverage(const Row& row, const Table& table, const std::string& metric) {
+  const std::string coverage = CoverageOf(metric);
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.columns[i].metric == coverage && coverage != metric) {
+      return row.cells[i].value == 0.0;
+    }
+  }
+  return false;
 }
 
 // Marks all that print the same as the best of a column. Nothing is marked if all print the same or
 // the lines cover different scenes.
-bool MarkColumn(const Table& table, const std::vector<TextLine*>& lines, std::size_t column,
-                const ColumnText& text) {
-  const MetricEntry* rule = FindEntry(table.columns[column].metric);
+bool MarkColumn(const Table& table, const std::vector<TextLine*>& lines, std::size_t column) {
+  const std::string& metric = table.columns[column].metric;
+  const MetricEntry* rule = FindEntry(metric);
   std::vector<std::pair<double, CellText*>> candidates;
   std::optional<std::set<std::string>> scenes;
   for (TextLine* line : lines) {
-    const Row& row = table.rows[*line->row];
-    CellText& cell_text = line->cells[column];
-    if (line->reference) {
-      const auto& theirs = row.reference[*line->reference].cells[column];
-      if (theirs && !cell_text.grey) candidates.emplace_back(theirs->value, &cell_text);
+    CellText& text = line->cells[column];
+    if (line->theirs != nullptr) {
+      const ReferenceCell* theirs = line->theirs->Find(table.columns[column]);
+      if (theirs != nullptr && !text.grey) candidates.emplace_back(theirs->value, &text);
       continue;
     }
+    const Row& row = *line->row;
     const Cell& cell = row.cells[column];
-    if (!cell.present || cell_text.grey || HasZeroCoverage(row, text)) continue;
+    if (!cell.value || text.grey || HasZeroCoverage(row, table, metric)) continue;
     std::set<std::string> covered;
     for (const std::size_t run : cell.runs) covered.insert(row.runs[run].sequence);
     if (scenes && *scenes != covered) return false;
     scenes = std::move(covered);
-    candidates.emplace_back(cell.value, &cell_text);
+    candidates.emplace_back(*cell.value, &text);
   }
   if (rule == nullptr || candidates.size() < 2) return false;
   const auto best =
@@ -306,8 +295,8 @@ void MarkBest(const Table& table, TableTexts& texts) {
   std::vector<TextLine>& lines = texts.blocks[0].lines;
   std::map<std::vector<std::string>, std::vector<TextLine*>> groups;
   for (TextLine& line : lines) {
-    if (!line.row || line.reference) continue;
-    const Row& row = table.rows[*line.row];
+    if (line.theirs != nullptr) continue;
+    const Row& row = *line.row;
     std::vector<std::string> data = {row.corrections};
     for (std::size_t i = 0; i < table.keys.size(); ++i) {
       const std::string& key = table.keys[i];
@@ -319,29 +308,15 @@ void MarkBest(const Table& table, TableTexts& texts) {
     groups[data].push_back(&line);
   }
   for (auto& [data, group] : groups) {
-    const Row& ours = table.rows[*group[0]->row];
+    const Row& ours = *group[0]->row;
     for (TextLine& line : lines) {
-      if (line.row && line.reference && SameFrames(table.rows[*line.row], ours)) {
-        group.push_back(&line);
-      }
+      const bool theirs = line.row != nullptr && line.theirs != nullptr;
+      if (theirs && SameFrames(*line.row, ours)) group.push_back(&line);
     }
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (MarkColumn(table, group, i, texts.columns[i])) texts.any_best = true;
+      if (MarkColumn(table, group, i)) texts.any_best = true;
     }
   }
-}
-
-std::vector<ColumnText> ColumnTexts(const Table& table) {
-  std::vector<ColumnText> columns;
-  for (const Column& column : table.columns) {
-    const std::string coverage = CoverageOf(column.metric);
-    const Column* found = FindBy(table.columns, &Column::metric, coverage);
-    columns.push_back(
-        {Printable(column.label), column.unit == "1" ? "" : Printable(column.unit), {}});
-    if (found == nullptr || coverage == column.metric) continue;
-    columns.back().coverage = static_cast<std::size_t>(found - table.columns.data());
-  }
-  return columns;
 }
 
 }  // namespace
@@ -381,7 +356,10 @@ TableTexts MakeTexts(const Table& table) {
   texts.title = Printable(table.title);
   texts.about = Printable(table.about);
   texts.text_header = TextHeader(table);
-  texts.columns = ColumnTexts(table);
+  for (const Column& column : table.columns) {
+    texts.columns.push_back(
+        {Printable(column.label), column.unit == "1" ? "" : Printable(column.unit)});
+  }
   AddBlocks(table, texts);
   MarkBest(table, texts);
   texts.footnotes = AllPrintable(Footnotes(table));

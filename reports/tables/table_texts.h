@@ -35,7 +35,6 @@ struct CellText {
   std::string percent;           // of a difference
   std::string percent_interval;  // of a difference
   std::string n;                 // "11 bodies, 4 scenes, 5 seeds, 20 runs"
-  std::string units;             // the units that the interval resamples: "4 scenes"
   std::string note;              // why there is no value, or why it is not comparable
   bool best = false;             // best of its column among rows on the same data
   bool distinguishable = false;  // distinguishable from the reference
@@ -48,10 +47,10 @@ struct CellText {
 
 // One line of a table: a row of ours, or a row of published figures below it.
 struct TextLine {
-  std::optional<std::size_t> row;        // index in Table::rows; empty: a row of Table::others
-  std::optional<std::size_t> reference;  // index in Row::reference or Table::others; empty: ours
-  std::vector<std::string> texts;        // one per entry of the text header
-  std::vector<CellText> cells;           // one per column
+  const Row* row = nullptr;              // nullptr: a row of Table::others
+  const ReferenceRow* theirs = nullptr;  // nullptr: a row of ours
+  std::vector<std::string> texts = {};   // one per entry of the text header
+  std::vector<CellText> cells = {};      // one per column
   bool grey = false;                     // nothing in it is comparable
 };
 
@@ -62,14 +61,14 @@ struct TextBlock {
 
 struct ColumnText {
   std::string label;
-  std::string unit;                     // empty: a plain number
-  std::optional<std::size_t> coverage;  // the column that it must be read with, if it is another
+  std::string unit;  // empty: a plain number
 
   // "object ATE [m]"
   std::string Heading() const;
 };
 
-// The texts of a table, each on one line, before any layout or escaping. All formats show these.
+// The texts of a table, which must outlive them, each on one line, before any layout or escaping.
+// All formats show these.
 struct TableTexts {
   std::string title;
   std::string about;
@@ -86,8 +85,8 @@ TableTexts MakeTexts(const Table& table);
 // Returns the meaning of the mark of best cells, such as "^: best value of the column ...".
 std::string BestNote(const std::string& mark);
 
-// "[a]", "[b]", ...: the mark of a source of reference rows.
-std::string SourceMark(std::size_t source);
+// "[a]", "[b]", ...: the mark of a source of reference rows, given by its id.
+std::string SourceMark(const Table& table, const std::string& source);
 
 // "11 bodies, 4 scenes, 5 seeds, 20 runs": what a value is a mean over.
 std::string CountsText(const Counts& n);
@@ -102,10 +101,9 @@ std::vector<std::string> Footnotes(const Table& table);
 // The definition of each column, from its contract.
 std::vector<std::string> Definitions(const Table& table);
 
-// Returns aligned columns with their units, then footnotes but no definitions. With `dim`, figures
-// that are not comparable are dimmed by terminal codes in addition to their brackets. A table wider
-// than `width` is split into several, each accuracy beside its coverage; 0: no limit.
-std::string TableText(const Table& table, bool dim, std::size_t width = 0);
+// Returns aligned columns with their units, then footnotes but no definitions. A table wider than
+// `width` is split into several; 0: no limit.
+std::string TableText(const Table& table, std::size_t width = 0);
 
 // The same as Markdown, with the definitions of the columns.
 std::string TableMarkdown(const Table& table);
@@ -115,10 +113,9 @@ std::string TableMarkdown(const Table& table);
 std::string TableLatex(const Table& table);
 
 // Returns the table as CSV (RFC 4180) with all digits. There is one record per row of the table and
-// per line of published figures, with value, interval and marks of each column side by side; or one
-// record per cell, with everything that the table knows about it.
+// per line of published figures, with value, interval, marks and difference of each column side by
+// side.
 std::string TableCsv(const Table& table);
-std::string TableLongCsv(const Table& table);
 
 // Returns a text as a CSV field: harmless in a terminal and a spreadsheet (no formula, no control
 // character but line ends), quoted if necessary.

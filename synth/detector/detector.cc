@@ -44,7 +44,7 @@ class SlowNormal {
 // Jitter of the four edges of a box.
 class EdgeJitter {
  public:
-  PixelBox Step(Rng& rng, double dt_s, const PixelBox& box, const DetectorOptions& options) {
+  ImageBox Step(Rng& rng, double dt_s, const ImageBox& box, const DetectorOptions& options) {
     std::array<double, 4> error;
     for (std::size_t edge = 0; edge < 4; ++edge) {
       const double slow = slow_[edge].Step(rng, dt_s, options.jitter_time_s);
@@ -52,11 +52,11 @@ class EdgeJitter {
                     std::sqrt(1.0 - options.jitter_slow) * rng.Normal();
     }
     const double horizontal_px =
-        std::hypot(options.jitter_width * (box.right - box.left), options.jitter_floor_px);
+        std::hypot(options.jitter_width * (box.right_px - box.left_px), options.jitter_floor_px);
     const double vertical_px =
-        std::hypot(options.jitter_height * (box.bottom - box.top), options.jitter_floor_px);
-    return {box.left + horizontal_px * error[0], box.top + vertical_px * error[1],
-            box.right + horizontal_px * error[2], box.bottom + vertical_px * error[3]};
+        std::hypot(options.jitter_height * (box.bottom_px - box.top_px), options.jitter_floor_px);
+    return {box.left_px + horizontal_px * error[0], box.top_px + vertical_px * error[1],
+            box.right_px + horizontal_px * error[2], box.bottom_px + vertical_px * error[3]};
   }
 
  private:
@@ -94,24 +94,19 @@ int Poisson(Rng& rng, double mean) {
 }
 
 // Puts the sides of a box in order and clamps them to the image.
-PixelBox Tidy(PixelBox box, int width_px, int height_px) {
-  if (box.right < box.left) std::swap(box.left, box.right);
-  if (box.bottom < box.top) std::swap(box.top, box.bottom);
-  box.left = std::clamp(box.left, 0.0, width_px - 1.0);
-  box.top = std::clamp(box.top, 0.0, height_px - 1.0);
-  box.right = std::clamp(box.right, box.left, width_px - 1.0);
-  box.bottom = std::clamp(box.bottom, box.top, height_px - 1.0);
+ImageBox Tidy(ImageBox box, int width_px, int height_px) {
+  if (box.right_px < box.left_px) std::swap(box.left_px, box.right_px);
+  if (box.bottom_px < box.top_px) std::swap(box.top_px, box.bottom_px);
+  box.left_px = std::clamp(box.left_px, 0.0, width_px - 1.0);
+  box.top_px = std::clamp(box.top_px, 0.0, height_px - 1.0);
+  box.right_px = std::clamp(box.right_px, box.left_px, width_px - 1.0);
+  box.bottom_px = std::clamp(box.bottom_px, box.top_px, height_px - 1.0);
   return box;
 }
 
 // 0 if `half` = 0; otherwise 1/2 at `value` = `half` and small well above it.
 double MissProbability(double value, double half) {
   return half > 0.0 ? 1.0 / (1.0 + std::pow(value / half, 4)) : 0.0;
-}
-
-double Overlap(const PixelBox& a, const PixelBox& b) {
-  const double both = IntersectionArea_px2(a, b);
-  return both > 0.0 ? both / (Area_px2(a) + Area_px2(b) - both) : 0.0;
 }
 
 double Score(double mean, double spread, double normal) {
@@ -127,7 +122,7 @@ struct BodyProcess {
 
 // A false positive.
 struct FalseBox {
-  PixelBox box;
+  ImageBox box;
   std::string category;
   EdgeJitter jitter;
 };
@@ -147,15 +142,15 @@ class Detector {
     }
   }
 
-  std::vector<Detection> Run() {
-    std::vector<Detection> all;
+  std::vector<SimulatedDetection> Run() {
+    std::vector<SimulatedDetection> all;
     for (std::size_t i = 0; i < input_.frames.size(); ++i) {
       const FrameTruth& frame = input_.frames[i];
       dt_s_ = i == 0 ? 0.0 : frame.time_s - input_.frames[i - 1].time_s;
-      std::vector<Detection> found = FindBodies(frame);
+      std::vector<SimulatedDetection> found = FindBodies(frame);
       Merge(found);
       AddFalseBoxes(i == 0, found);
-      for (Detection& detection : found) {
+      for (SimulatedDetection& detection : found) {
         detection.frame = static_cast<int>(i);
         all.push_back(std::move(detection));
       }
@@ -164,14 +159,14 @@ class Detector {
   }
 
  private:
-  std::vector<Detection> FindBodies(const FrameTruth& frame) {
-    std::vector<Detection> found;
+  std::vector<SimulatedDetection> FindBodies(const FrameTruth& frame) {
+    std::vector<SimulatedDetection> found;
     for (const BodyTruth& body : frame.bodies) {
       const auto index = static_cast<std::size_t>(body.id - 1);
       BodyProcess& process = bodies_.at(index);
-      const PixelBox visible = body.visible_box.value_or(PixelBox{});
+      const ImageBox visible = body.visible_box.value_or(ImageBox{});
       // Make all draws in every frame, visible or not, so that one outcome does not shift the next.
-      const PixelBox box = process.jitter.Step(process.rng, dt_s_, visible, options_);
+      const ImageBox box = process.jitter.Step(process.rng, dt_s_, visible, options_);
       const bool lost =
           process.burst.Step(process.rng, dt_s_, options_.burst_rate_hz, options_.burst_s);
       const double draw = process.rng.Uniform();
@@ -186,8 +181,8 @@ class Detector {
   }
 
   double ProbabilityOfMiss(const BodyTruth& body) const {
-    const PixelBox& box = *body.visible_box;
-    const double side_px = std::min(box.right - box.left, box.bottom - box.top) + 1.0;
+    const ImageBox& box = *body.visible_box;
+    const double side_px = std::min(box.right_px - box.left_px, box.bottom_px - box.top_px) + 1.0;
     return 1.0 - (1.0 - options_.miss_rate) *
                      (1.0 - MissProbability(side_px, options_.miss_size_px)) *
                      (1.0 - MissProbability(body.visible_fraction, options_.miss_visible));
@@ -202,17 +197,17 @@ class Detector {
     return NormalCdf(process.Step(rng, dt_s_, options_.jitter_time_s)) < options_.merge_rate;
   }
 
-  void Merge(std::vector<Detection>& found) {
+  void Merge(std::vector<SimulatedDetection>& found) {
     if (options_.merge_rate == 0.0) return;
     for (std::size_t i = 0; i < found.size(); ++i) {
       for (std::size_t k = i + 1; k < found.size(); ++k) {
         if (found[i].category != found[k].category) continue;
-        if (Overlap(found[i].box, found[k].box) < options_.merge_overlap) continue;
+        if (IntersectionOverUnion(found[i].box, found[k].box) < options_.merge_overlap) continue;
         if (!AreMerged(found[i].body, found[k].body)) continue;
-        PixelBox& box = found[i].box;
-        const PixelBox other = found[k].box;
-        box = {std::min(box.left, other.left), std::min(box.top, other.top),
-               std::max(box.right, other.right), std::max(box.bottom, other.bottom)};
+        ImageBox& box = found[i].box;
+        const ImageBox other = found[k].box;
+        box = {std::min(box.left_px, other.left_px), std::min(box.top_px, other.top_px),
+               std::max(box.right_px, other.right_px), std::max(box.bottom_px, other.bottom_px)};
         found[i].score = std::max(found[i].score, found[k].score);
         found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
         --k;
@@ -220,7 +215,7 @@ class Detector {
     }
   }
 
-  void AddFalseBoxes(bool first, std::vector<Detection>& found) {
+  void AddFalseBoxes(bool first, std::vector<SimulatedDetection>& found) {
     if (real_boxes_.empty()) return;
     const double stays =
         options_.false_positive_s > 0.0 ? std::exp(-dt_s_ / options_.false_positive_s) : 0.0;
@@ -229,7 +224,7 @@ class Detector {
     for (int count = Poisson(false_box_rng_, born); count > 0; --count)
       false_boxes_.push_back(MakeFalseBox());
     for (FalseBox& false_box : false_boxes_) {
-      const PixelBox box = false_box.jitter.Step(false_box_rng_, dt_s_, false_box.box, options_);
+      const ImageBox box = false_box.jitter.Step(false_box_rng_, dt_s_, false_box.box, options_);
       found.push_back(
           {0, 0, false_box.category, Tidy(box, input_.width_px, input_.height_px),
            Score(options_.false_score_mean, options_.false_score_spread, false_box_rng_.Normal())});
@@ -240,8 +235,8 @@ class Detector {
   FalseBox MakeFalseBox() {
     const auto& [body, like] = real_boxes_[false_box_rng_.UniformInt(real_boxes_.size())];
     const double scale = false_box_rng_.Uniform(0.6, 1.2);
-    const double width = scale * (like.right - like.left);
-    const double height = scale * (like.bottom - like.top);
+    const double width = scale * (like.right_px - like.left_px);
+    const double height = scale * (like.bottom_px - like.top_px);
     const double left = false_box_rng_.Uniform(0.0, std::max(input_.width_px - 1.0 - width, 1.0));
     const double top = false_box_rng_.Uniform(0.0, std::max(input_.height_px - 1.0 - height, 1.0));
     return {{left, top, left + width, top + height},
@@ -257,7 +252,7 @@ class Detector {
   std::map<std::pair<int, int>, std::pair<Rng, SlowNormal>> pairs_;
   Rng false_box_rng_;
   std::vector<FalseBox> false_boxes_;
-  std::vector<std::pair<int, PixelBox>> real_boxes_;
+  std::vector<std::pair<int, ImageBox>> real_boxes_;
 };
 
 DetectorOptions Oracle() {
@@ -304,17 +299,17 @@ DetectorOptions DetectorLevel(const std::string& level) {
              "oracle, good or poor");
 }
 
-std::vector<Detection> Detect(const DetectorInput& input, const DetectorOptions& options,
-                              std::uint64_t seed) {
+std::vector<SimulatedDetection> Detect(const DetectorInput& input, const DetectorOptions& options,
+                                       std::uint64_t seed) {
   return Detector(input, options, seed).Run();
 }
 
-std::string FormatDetections(const std::vector<Detection>& detections) {
+std::string FormatDetections(const std::vector<SimulatedDetection>& detections) {
   std::string rows;
-  for (const Detection& detection : detections) {
+  for (const SimulatedDetection& detection : detections) {
     rows += StrCat(detection.frame, " -1 ", detection.category, " -1 -1 -10");
-    for (const double side :
-         {detection.box.left, detection.box.top, detection.box.right, detection.box.bottom}) {
+    for (const double side : {detection.box.left_px, detection.box.top_px, detection.box.right_px,
+                              detection.box.bottom_px}) {
       rows += StrCat(" ", FormatFixed(side, 2));
     }
     rows += StrCat(" -1 -1 -1 -1000 -1000 -1000 -10 ", FormatFixed(detection.score, 4), "\n");

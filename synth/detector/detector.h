@@ -94,21 +94,21 @@ struct DetectorInput {
   std::span<const FrameTruth> frames;   // in temporal order
 };
 
-struct Detection {
+struct SimulatedDetection {
   int frame = 0;  // index into DetectorInput::frames
   int body = 0;   // 0: a false positive
   std::string category;
-  PixelBox box;
+  ImageBox box;
   double score = 0.0;
 };
 
 // Simulates a detector. Every body has its own random stream, so that changing one option leaves
 // all other errors unchanged. Jitter follows a first-order autoregressive process, bursts of misses
 // a Markov chain.
-std::vector<Detection> Detect(const DetectorInput& input, const DetectorOptions& options,
-                              std::uint64_t seed);
+std::vector<SimulatedDetection> Detect(const DetectorInput& input, const DetectorOptions& options,
+                                       std::uint64_t seed);
 
 // Formats detections in the KITTI tracking format: 18 columns, without track ids.
-std::string FormatDetections(const std::vector<Detection>& detections);
+std::string FormatDetections(const std::vector<SimulatedDetection>& detections);
 
 }  // namespace cvo::synth

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
-#include "core/files/text_file.h"
+#include "core/record/scene_rows.h"
 
 namespace cvo::synth {
 namespace {
@@ -34,11 +33,11 @@ void AddMasks(const cv::Mat& instances, std::vector<BodyTruth>& bodies) {
       BodyTruth& body = bodies[row[u] - 1U];
       ++body.visible_px;
       if (!body.visible_box) {
-        body.visible_box = PixelBox{double(u), double(v), double(u), double(v)};
+        body.visible_box = ImageBox{double(u), double(v), double(u), double(v)};
       }
-      body.visible_box->left = std::min(body.visible_box->left, double(u));
-      body.visible_box->right = std::max(body.visible_box->right, double(u));
-      body.visible_box->bottom = v;
+      body.visible_box->left_px = std::min(body.visible_box->left_px, double(u));
+      body.visible_box->right_px = std::max(body.visible_box->right_px, double(u));
+      body.visible_box->bottom_px = v;
     }
   }
 }
@@ -51,10 +50,11 @@ void AddAmodalBox(const World& world, const RigidTransform& left_from_world, Bod
     projection.Add(world.meshes.at(static_cast<std::size_t>(drawable.mesh)), left_from_body);
   }
   if (!projection.box()) return;
-  body.amodal_box = ClipToImage(*projection.box(), world.rig.width_px, world.rig.height_px);
-  const double whole_px2 = Area_px2(*projection.box());
+  body.amodal_box = ClipToImage(*projection.box(), world.rig);
+  const double whole_px2 = projection.box()->Width() * projection.box()->Height();
   if (!body.amodal_box || !(whole_px2 > 0.0)) return;
-  body.truncation = std::clamp(1.0 - Area_px2(*body.amodal_box) / whole_px2, 0.0, 1.0);
+  body.truncation =
+      std::clamp(1.0 - body.amodal_box->Width() * body.amodal_box->Height() / whole_px2, 0.0, 1.0);
 }
 
 // Motion of a rigid surface to the next frame in the left camera's frame: p_next = R p + t.
@@ -102,63 +102,16 @@ std::string ProjectionRow(const char* name, const StereoCamera& rig, double base
   return row += '\n';
 }
 
-constexpr std::string_view kHeader =
-    "frame,id,name,category,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,length_m,width_m,height_m,"
-    "visible_px,alone_px,visible_fraction,truncation,visible_left,visible_top,visible_right,"
-    "visible_bottom,amodal_left,amodal_top,amodal_right,amodal_bottom";
-
-void AddNumber(double value, std::string& row) {
-  row += ',';
-  row += FormatDouble(value);
-}
-
-void AddVector(const Eigen::Vector3d& vector, std::string& row) {
-  for (int i = 0; i < 3; ++i) AddNumber(vector[i], row);
-}
-
-void AddBox(const std::optional<PixelBox>& box, std::string& row) {
-  if (!box) {
-    row += ",,,,";
-    return;
-  }
-  for (const double side : {box->left, box->top, box->right, box->bottom}) AddNumber(side, row);
-}
-
-Eigen::Vector3d ReadVector(const CsvFile& file, std::size_t row, std::size_t column) {
-  return Eigen::Vector3d(file.Numbers<3>(row, column).data());
-}
-
-std::optional<PixelBox> ReadBox(const CsvFile& file, std::size_t row, std::size_t column) {
-  if (file.Empty(row, column)) return std::nullopt;
-  const auto [left, top, right, bottom] = file.Numbers<4>(row, column);
-  return PixelBox{left, top, right, bottom};
-}
-
-BodyTruth ReadBody(const CsvFile& file, std::size_t row) {
-  BodyTruth body;
-  body.id = file.Integer(row, 1);
-  const auto [qx, qy, qz, qw] = file.Numbers<4>(row, 7);
-  body.state = {RigidTransform(Eigen::Quaterniond(qw, qx, qy, qz), ReadVector(file, row, 4)),
-                ReadVector(file, row, 11), ReadVector(file, row, 14)};
-  body.visible_px = file.Integer(row, 20);
-  body.alone_px = file.Integer(row, 21);
-  body.visible_fraction = file.Number(row, 22);
-  body.truncation = file.Number(row, 23);
-  body.visible_box = ReadBox(file, row, 24);
-  body.amodal_box = ReadBox(file, row, 28);
-  return body;
-}
-
 }  // namespace
 
 void ProjectedBox::AddPoint(const Eigen::Vector3d& p) {
   const double u = rig_.fx * p.x() / p.z() + rig_.cx;
   const double v = rig_.fy * p.y() / p.z() + rig_.cy;
-  if (!box_) box_ = PixelBox{u, v, u, v};
-  box_->left = std::min(box_->left, u);
-  box_->right = std::max(box_->right, u);
-  box_->top = std::min(box_->top, v);
-  box_->bottom = std::max(box_->bottom, v);
+  if (!box_) box_ = ImageBox{u, v, u, v};
+  box_->left_px = std::min(box_->left_px, u);
+  box_->right_px = std::max(box_->right_px, u);
+  box_->top_px = std::min(box_->top_px, v);
+  box_->bottom_px = std::max(box_->bottom_px, v);
 }
 
 void ProjectedBox::Add(const Mesh& mesh, const RigidTransform& camera_from_mesh) {
@@ -183,20 +136,6 @@ void ProjectedBox::Add(const Mesh& mesh, const RigidTransform& camera_from_mesh)
       if ((a.z() >= kNearest_m) != (b.z() >= kNearest_m)) AddPoint(AtNearPlane(a, b));
     }
   }
-}
-
-std::optional<PixelBox> ClipToImage(const PixelBox& box, int width_px, int height_px) {
-  const PixelBox clipped = {std::max(box.left, 0.0), std::max(box.top, 0.0),
-                            std::min(box.right, width_px - 1.0),
-                            std::min(box.bottom, height_px - 1.0)};
-  if (clipped.left > clipped.right || clipped.top > clipped.bottom) return std::nullopt;
-  return clipped;
-}
-
-double IntersectionArea_px2(const PixelBox& a, const PixelBox& b) {
-  const double width = std::min(a.right, b.right) - std::max(a.left, b.left);
-  const double height = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  return width > 0.0 && height > 0.0 ? width * height : 0.0;
 }
 
 FrameTruth ComputeTruth(const World& world, int frame, const Rendering& rendering) {
@@ -265,10 +204,10 @@ std::string FormatLabels(const World& world, const FrameTruth& truth, int row_fr
     const double alpha_rad = WrapAngle(heading_rad - std::atan2(bottom.x(), bottom.z()));
     rows += StrCat(row_frame, " ", body.id, " ", described.category, " ",
                    FormatFixed(body.truncation, 6), " ", Occlusion(body));
-    const PixelBox& box = *body.amodal_box;
+    const ImageBox& box = *body.amodal_box;
     for (const double value :
-         {alpha_rad, box.left, box.top, box.right, box.bottom, size_m.z(), size_m.y(), size_m.x(),
-          bottom.x(), bottom.y(), bottom.z(), heading_rad}) {
+         {alpha_rad, box.left_px, box.top_px, box.right_px, box.bottom_px, size_m.z(), size_m.y(),
+          size_m.x(), bottom.x(), bottom.y(), bottom.z(), heading_rad}) {
       rows += StrCat(" ", FormatFixed(value, 6));
     }
     rows += '\n';
@@ -297,7 +236,7 @@ std::string SixDigits(int number) {
   return digits;
 }
 
-std::string ObjectTableHeader() { return std::string(kHeader) + "\n"; }
+std::string ObjectTableHeader() { return CsvHeader<SceneBody>() + "\n"; }
 
 std::string FormatObjectRows(const World& world, const FrameTruth& truth, int row_frame,
                              const RigidTransform& first_left_from_world) {
@@ -306,46 +245,56 @@ std::string FormatObjectRows(const World& world, const FrameTruth& truth, int ro
     const Body& described = world.bodies.at(static_cast<std::size_t>(body.id - 1));
     Require((described.name + described.category).find_first_of(", \t\n\"") == std::string::npos,
             "objects.csv: names and categories must have no blank, comma or quote");
-    rows += StrCat(row_frame, ",", body.id, ",", described.name, ",", described.category);
-    const RigidTransform pose = first_left_from_world * body.state.world_from_body;
-    AddVector(pose.translation(), rows);
-    for (int i = 0; i < 4; ++i) AddNumber(pose.data()[i], rows);
-    AddVector(first_left_from_world.rotation() * body.state.velocity_in_world, rows);
-    AddVector(first_left_from_world.rotation() * body.state.angular_velocity_in_world, rows);
-    AddVector(described.size_m, rows);
-    rows += StrCat(",", body.visible_px, ",", body.alone_px);
-    AddNumber(body.visible_fraction, rows);
-    AddNumber(body.truncation, rows);
-    AddBox(body.visible_box, rows);
-    AddBox(body.amodal_box, rows);
-    rows += '\n';
+    SceneBody row;
+    row.frame = row_frame;
+    row.id = body.id;
+    row.name = described.name;
+    row.category = described.category;
+    row.world_from_object = first_left_from_world * body.state.world_from_body;
+    row.velocity_in_world = first_left_from_world.rotation() * body.state.velocity_in_world;
+    row.angular_velocity_in_world =
+        first_left_from_world.rotation() * body.state.angular_velocity_in_world;
+    row.size_m = described.size_m;
+    row.visible_px = body.visible_px;
+    row.alone_px = body.alone_px;
+    row.visible_fraction = body.visible_fraction;
+    row.truncation = body.truncation;
+    row.visible_box = body.visible_box;
+    row.amodal_box = body.amodal_box;
+    rows += CsvLine(row);
   }
   return rows;
 }
 
 ObjectTable ReadObjectTable(const std::filesystem::path& path, const std::vector<double>& times_s) {
-  const CsvFile file(path, kHeader);
   ObjectTable table;
   table.frames.resize(times_s.size());
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     table.frames[i].frame = static_cast<int>(i);
     table.frames[i].time_s = times_s[i];
   }
-  for (std::size_t row = 0; row < file.rows(); ++row) {
-    const int frame = file.Integer(row, 0);
-    if (frame < 0 || frame >= static_cast<int>(times_s.size())) {
-      file.Fail(row, StrCat("frame ", frame), "a frame of the folder");
+  ReadCsv<SceneBody>(path, [&](const SceneBody& row, std::size_t index) {
+    const std::string where = StrCat(path.string(), ":", index + 2);
+    if (row.frame < 0 || row.frame >= static_cast<int>(times_s.size())) {
+      ThrowError(where, StrCat("frame ", row.frame), "a frame of the folder");
     }
-    std::vector<BodyTruth>& bodies = table.frames[static_cast<std::size_t>(frame)].bodies;
-    bodies.push_back(ReadBody(file, row));
-    if (bodies.back().id != static_cast<int>(bodies.size())) {
-      file.Fail(row, StrCat("id ", bodies.back().id), "ids 1, 2, ...");
+    std::vector<BodyTruth>& bodies = table.frames[static_cast<std::size_t>(row.frame)].bodies;
+    bodies.push_back({row.id,
+                      {row.world_from_object, row.velocity_in_world, row.angular_velocity_in_world},
+                      row.visible_px,
+                      row.alone_px,
+                      row.visible_fraction,
+                      row.truncation,
+                      row.visible_box,
+                      row.amodal_box});
+    if (row.id != static_cast<int>(bodies.size())) {
+      ThrowError(where, StrCat("id ", row.id), "ids 1, 2, ...");
     }
-    if (bodies.size() <= table.names.size()) continue;
-    table.names.push_back(file.Name(row, 2));
-    table.categories.push_back(file.Name(row, 3));
-    table.sizes_m.push_back(ReadVector(file, row, 17));
-  }
+    if (bodies.size() <= table.names.size()) return;
+    table.names.push_back(row.name);
+    table.categories.push_back(row.category);
+    table.sizes_m.push_back(row.size_m);
+  });
   return table;
 }
 

@@ -14,15 +14,6 @@
 
 namespace cvo::synth {
 
-// A box in pixels, with pixel centres at integers: all four sides of the box around a single pixel
-// (u, v) pass through its centre.
-struct PixelBox {
-  double left = 0.0;
-  double top = 0.0;
-  double right = 0.0;
-  double bottom = 0.0;
-};
-
 // Ground truth of one body in one frame. Transforms are in the scene's world.
 struct BodyTruth {
   int id = 0;
@@ -31,8 +22,8 @@ struct BodyTruth {
   int alone_px = 0;                     // pixels if nothing occluded it
   double visible_fraction = 0.0;        // visible_px / alone_px; 0 if out of view
   double truncation = 1.0;              // fraction of its projected box outside the image
-  std::optional<PixelBox> visible_box;  // around the mask
-  std::optional<PixelBox> amodal_box;   // around the projection of the whole body, within the image
+  std::optional<ImageBox> visible_box;  // around the mask
+  std::optional<ImageBox> amodal_box;   // around the projection of the whole body, within the image
 };
 
 struct FrameTruth {
@@ -51,24 +42,14 @@ class ProjectedBox {
   explicit ProjectedBox(const StereoCamera& rig) : rig_(rig) {}
 
   void Add(const Mesh& mesh, const RigidTransform& camera_from_mesh);
-  [[nodiscard]] const std::optional<PixelBox>& box() const { return box_; }
+  [[nodiscard]] const std::optional<ImageBox>& box() const { return box_; }
 
  private:
   void AddPoint(const Eigen::Vector3d& p_in_camera);
 
   StereoCamera rig_;
-  std::optional<PixelBox> box_;
+  std::optional<ImageBox> box_;
 };
-
-// Returns the part of a box within the image; empty if there is none.
-[[nodiscard]] std::optional<PixelBox> ClipToImage(const PixelBox& box, int width_px, int height_px);
-
-inline double Area_px2(const PixelBox& box) {
-  return (box.right - box.left) * (box.bottom - box.top);
-}
-
-// Area of the intersection of two boxes; 0 if they are disjoint.
-double IntersectionArea_px2(const PixelBox& a, const PixelBox& b);
 
 // Computes the forward flow of the left image from one frame to the next in KITTI's encoding,
 // CV_16UC3 in OpenCV's order: valid (0 or 1), 64 v + 2^15, 64 u + 2^15 (red in the PNG file). A

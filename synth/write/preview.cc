@@ -159,9 +159,10 @@ void DrawDashes(const cv::Point& a, const cv::Point& b, const cv::Scalar& colour
   }
 }
 
-void DrawAmodalBox(const PixelBox& box, const cv::Scalar& colour, Cell& cell) {
-  const cv::Point corners[4] = {cell.At(box.left, box.top), cell.At(box.right, box.top),
-                                cell.At(box.right, box.bottom), cell.At(box.left, box.bottom)};
+void DrawAmodalBox(const ImageBox& box, const cv::Scalar& colour, Cell& cell) {
+  const cv::Point corners[4] = {cell.At(box.left_px, box.top_px), cell.At(box.right_px, box.top_px),
+                                cell.At(box.right_px, box.bottom_px),
+                                cell.At(box.left_px, box.bottom_px)};
   for (int i = 0; i < 4; ++i) DrawDashes(corners[i], corners[(i + 1) % 4], colour, cell.canvas);
 }
 
@@ -185,14 +186,14 @@ void DrawBodies(const World& world, const FrameTruth& truth, const std::vector<c
     const BodyTruth& body = truth.bodies[i];
     if (body.amodal_box) DrawAmodalBox(*body.amodal_box, colours[i], cell);
     if (!body.visible_box) continue;
-    const PixelBox& box = *body.visible_box;
-    cv::rectangle(cell.canvas, cell.At(box.left, box.top), cell.At(box.right, box.bottom),
-                  colours[i], 1, cv::LINE_AA);
+    const ImageBox& box = *body.visible_box;
+    cv::rectangle(cell.canvas, cell.At(box.left_px, box.top_px),
+                  cell.At(box.right_px, box.bottom_px), colours[i], 1, cv::LINE_AA);
   }
   for (std::size_t i = 0; i < truth.bodies.size(); ++i) {
     const auto& box = truth.bodies[i].visible_box;
     if (box && truth.bodies[i].visible_px >= 150) {
-      DrawName(world.bodies[i].name, cell.At(box->left, box->top), colours[i], cell.canvas);
+      DrawName(world.bodies[i].name, cell.At(box->left_px, box->top_px), colours[i], cell.canvas);
     }
   }
 }

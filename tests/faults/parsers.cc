@@ -11,6 +11,7 @@
 #include "core/files/text_file.h"
 #include "core/interface/options.h"
 #include "core/record/metric_catalogue.h"
+#include "core/record/run_rows.h"
 #include "core/record/run_summary.h"
 #include "core/record/truth.h"
 #include "experiments/datasets/calibration/kitti_calibration.h"
@@ -117,13 +118,12 @@ std::vector<Parser> ResultParsers() {
        [](const fs::path& file) { ReadTable(ReadFileBytes(file), file); }},
       {"baseline", {Golden("baseline")}, [](const fs::path& file) { ReadBaseline(file); }},
       {"clusters.csv",
-       {"frame,id,category,status,x,y,z,qx,qy,qz,qw,vx,vy,vz,refined_x,refined_y,refined_z,"
-        "refined_qx,refined_qy,refined_qz,refined_qw,refined_vx,refined_vy,refined_vz,center_x,"
-        "center_y,center_z,half_x_m,half_y_m,half_z_m,observed_landmarks\n"
-        "3,1,Car,tracked,1,2,3,0,0,0,1,0,0,0,,,,,,,,,,,0,0,0,1,2,3,17\n"},
-       [](const fs::path& file) { ReadClusterTable(file); }},
+       {StrCat(CsvHeader<ObjectRow>(),
+               "\n3,0,1,Car,tracked,1,2,3,0,0,0,1,0,0,0,,,,,,,,,,,0,0,0,1,2,3,0,0,0,0,0,0,1,"
+               "1,2,3,1,2,3,4,17,0,0.5\n")},
+       [](const fs::path& file) { ReadObjects(file); }},
       {"landmarks.csv",
-       {"frame,u_px,v_px,cluster,inferred,truth_body\n0,10.5,20,0,1,\n"},
+       {StrCat(CsvHeader<LandmarkRow>(), "\n0,7,10.5,20,9,0,1,2,0.1,0.2,0.3,1,2,3,,,0,0,0\n")},
        [](const fs::path& file) { ReadLandmarks(file, LandmarkLabel::kCluster); }}};
 }
 
@@ -178,7 +178,7 @@ std::vector<Parser> SequenceParsers() {
        [](const fs::path& file) { ReadEurocPoses(file); }},
       {"objects.csv",
        {StrCat(
-           kObjectsHeader, "\n",
+           CsvHeader<SceneBody>(), "\n",
            "0,1,ball,Ball,1,2,3,0,0,0.6,0.8,0.5,0,0,0,0,1.25,0.7,0.7,0.7,12,24,0.5,0.25,1,2,4,4,"
            "1,2,5,6\n1,1,ball,Ball,1,2,3,0,0,0,1,0,0,0,0,0,0,0.7,0.7,0.7,0,0,0,1,,,,,,,,\n")},
        [](const fs::path& file) { ReadSceneBodies(file, 2); }},
@@ -194,16 +194,6 @@ std::vector<Parser> SequenceParsers() {
       {"cached_frame",
        {CachedFrame(false), CachedFrame(true)},
        [](const fs::path& file) { DecodeFrame(ReadFileBytes(file)); }},
-      {"rows.csv",
-       {"frame,id,x\n0,1,2.5\n1,1,2.75\n"},
-       [](const fs::path& file) {
-         const CsvFile csv(file, "frame,id,x");
-         for (std::size_t row = 0; row < csv.rows(); ++row) {
-           (void)csv.Integer(row, 0);
-           (void)csv.Name(row, 1);
-           (void)csv.Number(row, 2);
-         }
-       }},
       {"header.png",
        {std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\0\0\0\0\x3a\x7e\x9b\x55",
                     33)},

@@ -44,7 +44,7 @@ std::vector<Part> CoreParts() {
 // The layers of synth, from models to folders of images; each may include those before it.
 std::vector<Part> SynthParts() {
   std::vector<Part> parts;
-  std::vector<std::string> below = {"core/base/", "core/geometry/", "core/files/"};
+  std::vector<std::string> below = {"core/base/", "core/geometry/", "core/files/", "core/record/"};
   for (const char* layer :
        {"models", "motion", "scene", "family", "render", "truth", "sensor", "detector", "write"}) {
     below.push_back(StrCat("synth/", layer, "/"));

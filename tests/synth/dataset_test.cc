@@ -276,9 +276,9 @@ TEST(WriteScene, TruthAgreesWithWhatIsDrawn) {
   for (const BodyTruth& body : table.frames[0].bodies) {
     ASSERT_TRUE(body.visible_box && body.amodal_box);
     // Where nothing occludes its rim, a mask ends within a pixel of the projected mesh.
-    EXPECT_GE(body.visible_box->left, body.amodal_box->left - 0.1);
-    EXPECT_LE(body.visible_box->right, body.amodal_box->right + 0.1);
-    EXPECT_NEAR(body.visible_box->top, body.amodal_box->top, 1.1);
+    EXPECT_GE(body.visible_box->left_px, body.amodal_box->left_px - 0.1);
+    EXPECT_LE(body.visible_box->right_px, body.amodal_box->right_px + 0.1);
+    EXPECT_NEAR(body.visible_box->top_px, body.amodal_box->top_px, 1.1);
     const double radius_m = table.sizes_m[static_cast<std::size_t>(body.id - 1)].norm() / 2.0;
     double nearest_m = 0.0, farthest_m = 0.0;
     cv::minMaxLoc(depth, &nearest_m, &farthest_m, nullptr, nullptr, mask == body.id);

@@ -107,22 +107,18 @@ struct Stage {
         body.visible_px = body.alone_px = 8000;
         body.visible_fraction = 1.0;
         const double left = 150.0 + distance_px * (id - 1);
-        body.visible_box = PixelBox{left, 200.0, left + 100.0, 280.0};
+        body.visible_box = ImageBox{left, 200.0, left + 100.0, 280.0};
       }
     }
   }
   DetectorInput Input() const { return {640, 480, {"Block", "Block"}, frames}; }
-  std::vector<Detection> Run(const DetectorOptions& options, std::uint64_t seed = 0) const {
+  std::vector<SimulatedDetection> Run(const DetectorOptions& options,
+                                      std::uint64_t seed = 0) const {
     return Detect(Input(), options, seed);
   }
 
   std::vector<FrameTruth> frames;
 };
-
-double Overlap(const PixelBox& a, const PixelBox& b) {
-  const double both = IntersectionArea_px2(a, b);
-  return both / (Area_px2(a) + Area_px2(b) - both);
-}
 
 struct Quality {
   double recall = 0.0;
@@ -133,14 +129,14 @@ struct Quality {
 Quality Measure(const Stage& stage, const std::string& level) {
   Quality quality;
   int found = 0;
-  for (const Detection& detection : stage.Run(DetectorLevel(level))) {
+  for (const SimulatedDetection& detection : stage.Run(DetectorLevel(level))) {
     if (detection.body == 0) {
       quality.false_positives += 1.0;
       continue;
     }
     ++found;
     const auto frame = static_cast<std::size_t>(detection.frame);
-    quality.overlap += Overlap(
+    quality.overlap += IntersectionOverUnion(
         detection.box,
         *stage.frames[frame].bodies[static_cast<std::size_t>(detection.body - 1)].visible_box);
   }
@@ -151,16 +147,16 @@ Quality Measure(const Stage& stage, const std::string& level) {
 
 TEST(Detect, OracleGivesTheVisibleBoxes) {
   const Stage stage;
-  const std::vector<Detection> detections = stage.Run(DetectorLevel("oracle"));
+  const std::vector<SimulatedDetection> detections = stage.Run(DetectorLevel("oracle"));
   ASSERT_EQ(detections.size(), 600U);
-  for (const Detection& detection : detections) {
+  for (const SimulatedDetection& detection : detections) {
     const auto frame = static_cast<std::size_t>(detection.frame);
     const auto body = static_cast<std::size_t>(detection.body - 1);
-    const PixelBox& truth = *stage.frames[frame].bodies[body].visible_box;
-    EXPECT_EQ(detection.box.left, truth.left);
-    EXPECT_EQ(detection.box.top, truth.top);
-    EXPECT_EQ(detection.box.right, truth.right);
-    EXPECT_EQ(detection.box.bottom, truth.bottom);
+    const ImageBox& truth = *stage.frames[frame].bodies[body].visible_box;
+    EXPECT_EQ(detection.box.left_px, truth.left_px);
+    EXPECT_EQ(detection.box.top_px, truth.top_px);
+    EXPECT_EQ(detection.box.right_px, truth.right_px);
+    EXPECT_EQ(detection.box.bottom_px, truth.bottom_px);
     EXPECT_EQ(detection.score, 1.0);
   }
 }
@@ -199,8 +195,8 @@ TEST(Detect, JitterHasItsSizeAndCorrelation) {
   const Stage stage(200.0, 6000);
   double variance = 0.0, product = 0.0;
   std::map<int, double> last;
-  for (const Detection& detection : stage.Run(OnlyJitter())) {
-    const double error = detection.box.left - (150.0 + 200.0 * (detection.body - 1));
+  for (const SimulatedDetection& detection : stage.Run(OnlyJitter())) {
+    const double error = detection.box.left_px - (150.0 + 200.0 * (detection.body - 1));
     variance += error * error;
     if (last.contains(detection.body)) product += error * last[detection.body];
     last[detection.body] = error;
@@ -216,7 +212,7 @@ TEST(Detect, BurstsHaveTheirRateAndDuration) {
   options.burst_s = 1.0;
   int misses = 12000, runs = 0;
   std::map<int, int> last = {{1, -1}, {2, -1}};
-  for (const Detection& detection : stage.Run(options)) {
+  for (const SimulatedDetection& detection : stage.Run(options)) {
     --misses;
     if (detection.frame > last[detection.body] + 1) ++runs;
     last[detection.body] = detection.frame;
@@ -228,14 +224,14 @@ TEST(Detect, BurstsHaveTheirRateAndDuration) {
 TEST(Detect, SmallAndHiddenBodiesAreMissed) {
   Stage stage;
   for (FrameTruth& frame : stage.frames) {
-    frame.bodies[0].visible_box = PixelBox{150.0, 200.0, 158.0, 208.0};
+    frame.bodies[0].visible_box = ImageBox{150.0, 200.0, 158.0, 208.0};
     frame.bodies[1].visible_fraction = 0.1;
   }
   DetectorOptions options = DetectorLevel("oracle");
   options.miss_size_px = 14.0;
   options.miss_visible = 0.2;
   int found[3] = {0, 0, 0};
-  for (const Detection& detection : stage.Run(options)) ++found[detection.body];
+  for (const SimulatedDetection& detection : stage.Run(options)) ++found[detection.body];
   EXPECT_NEAR(found[1], 300.0 / (1.0 + std::pow(14.0 / 9.0, 4)), 25.0);
   EXPECT_NEAR(found[2], 300.0 / (1.0 + std::pow(2.0, 4)), 18.0);
 }
@@ -243,10 +239,10 @@ TEST(Detect, SmallAndHiddenBodiesAreMissed) {
 TEST(Detect, OverlappingBoxesAreMerged) {
   DetectorOptions options = DetectorLevel("oracle");
   options.merge_rate = 1.0;
-  const std::vector<Detection> merged = Stage(30.0).Run(options);
+  const std::vector<SimulatedDetection> merged = Stage(30.0).Run(options);
   ASSERT_EQ(merged.size(), 300U);
-  EXPECT_EQ(merged[0].box.left, 150.0);
-  EXPECT_EQ(merged[0].box.right, 280.0);
+  EXPECT_EQ(merged[0].box.left_px, 150.0);
+  EXPECT_EQ(merged[0].box.right_px, 280.0);
   EXPECT_EQ(Stage(90.0).Run(options).size(), 600U);
 }
 
@@ -257,10 +253,10 @@ TEST(Detect, FalsePositivesHaveTheirRateAndPersist) {
   options.false_positive_s = 0.4;
   std::map<int, std::vector<double>> lefts;
   int count = 0;
-  for (const Detection& detection : stage.Run(options)) {
+  for (const SimulatedDetection& detection : stage.Run(options)) {
     if (detection.body != 0) continue;
     ++count;
-    lefts[detection.frame].push_back(detection.box.left);
+    lefts[detection.frame].push_back(detection.box.left_px);
   }
   EXPECT_NEAR(count / 3000.0, 0.5, 0.08);
   int stayed = 0;

@@ -23,10 +23,10 @@ TEST(ComputeTruth, VisibleBoxEndsAtTheOuterPixelsOfTheMask) {
   EXPECT_EQ(body.visible_px, 21);
   EXPECT_DOUBLE_EQ(body.visible_fraction, 0.25);
   ASSERT_TRUE(body.visible_box);
-  EXPECT_EQ(body.visible_box->left, 20);
-  EXPECT_EQ(body.visible_box->right, 24);
-  EXPECT_EQ(body.visible_box->top, 30);
-  EXPECT_EQ(body.visible_box->bottom, 40);
+  EXPECT_EQ(body.visible_box->left_px, 20);
+  EXPECT_EQ(body.visible_box->right_px, 24);
+  EXPECT_EQ(body.visible_box->top_px, 30);
+  EXPECT_EQ(body.visible_box->bottom_px, 40);
 }
 
 TEST(ComputeTruth, HiddenBodyHasNoVisibleBox) {
@@ -42,10 +42,10 @@ TEST(ComputeTruth, AmodalBoxIsTheProjectionOfTheMesh) {
   const World world = OneBoxWorld();
   const BodyTruth body = ComputeTruth(world, 0, EmptyRendering(world)).bodies.at(0);
   ASSERT_TRUE(body.amodal_box);
-  EXPECT_NEAR(body.amodal_box->left, 24.5, 1e-9);
-  EXPECT_NEAR(body.amodal_box->right, 74.5, 1e-9);
-  EXPECT_NEAR(body.amodal_box->top, 20.75, 1e-9);
-  EXPECT_NEAR(body.amodal_box->bottom, 58.25, 1e-9);
+  EXPECT_NEAR(body.amodal_box->left_px, 24.5, 1e-9);
+  EXPECT_NEAR(body.amodal_box->right_px, 74.5, 1e-9);
+  EXPECT_NEAR(body.amodal_box->top_px, 20.75, 1e-9);
+  EXPECT_NEAR(body.amodal_box->bottom_px, 58.25, 1e-9);
   EXPECT_NEAR(body.truncation, 0.0, 1e-12);
 }
 
@@ -54,9 +54,9 @@ TEST(ComputeTruth, TruncationIsThePartOutsideTheImage) {
   const World world = OneBoxWorld({4.5, 2.0, 0.0});
   const BodyTruth body = ComputeTruth(world, 0, EmptyRendering(world)).bodies.at(0);
   ASSERT_TRUE(body.amodal_box);
-  EXPECT_EQ(body.amodal_box->left, 0.0);
+  EXPECT_EQ(body.amodal_box->left_px, 0.0);
   const double right = 49.5 - 100.0 / 5.0;  // right side of the back face, at 5 m
-  EXPECT_NEAR(body.amodal_box->right, right, 1e-9);
+  EXPECT_NEAR(body.amodal_box->right_px, right, 1e-9);
   EXPECT_NEAR(body.truncation, 25.5 / (25.5 + right), 1e-9);
 }
 
@@ -81,9 +81,9 @@ TEST(ProjectedBox, ClipsTrianglesAtTheNearPlane) {
   ProjectedBox projection(rig);
   projection.Add(mesh, RigidTransform());
   ASSERT_TRUE(projection.box());
-  EXPECT_NEAR(projection.box()->left, 49.5, 1e-9);
+  EXPECT_NEAR(projection.box()->left_px, 49.5, 1e-9);
   // On the side from (0.2, 0, 2) to (1, 0, -1), z = 0.05 at 1.95 / 3 of the way.
-  EXPECT_NEAR(projection.box()->right, 49.5 + 100.0 * (0.2 + 0.8 * 0.65) / 0.05, 1e-3);
+  EXPECT_NEAR(projection.box()->right_px, 49.5 + 100.0 * (0.2 + 0.8 * 0.65) / 0.05, 1e-3);
 }
 
 TEST(FormatLabels, MatchesAHandComputedRow) {

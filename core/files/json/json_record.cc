@@ -83,14 +83,4 @@ void FailName(const Json& json, const std::string& where, const char* const* nam
   ThrowError(where, Quoted(json.get<std::string>()), "one of " + expected);
 }
 
-void FailConstant(const char* key, const std::string& where, const std::string& found,
-                  const std::string& expected) {
-  ThrowError(StrCat(where, ", field ", key), Quoted(found), Quoted(expected));
-}
-
-void CheckCount(const Json& list, const std::string& where, std::size_t count) {
-  if (!list.is_array()) FailType(list, where, "an array");
-  if (list.size() != count) ThrowError(where, StrCat(list.size(), " elements"), StrCat(count));
-}
-
 }  // namespace cvo::internal

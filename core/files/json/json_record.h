@@ -28,8 +28,6 @@
 //   static void VisitFields(Self& self, Archive& archive) {
 //     archive.Field("name", self.name);
 //   }
-// A record that can be interpreted only with another one takes that one as context:
-// Field("row", row, table) calls Row::VisitFields(row, archive, table).
 // Fields are numbers, bools, strings, named enums, records, and optionals, vectors, arrays of
 // numbers and string-keyed maps of these. An enum E is written as the name of its value. Its names,
 // in the order of its enumerators: constexpr std::array<const char*, n> EnumNames(E).
@@ -53,9 +51,9 @@ namespace internal {
 struct AnyArchive {};  // VisitFields is never instantiated with it
 }  // namespace internal
 
-template <typename T, typename... Context>
-concept JsonRecord = requires(T& record, internal::AnyArchive& archive, const Context&... context) {
-  std::remove_const_t<T>::VisitFields(record, archive, context...);
+template <typename T>
+concept JsonRecord = requires(T& record, internal::AnyArchive& archive) {
+  std::remove_const_t<T>::VisitFields(record, archive);
 };
 
 template <typename E>
@@ -124,22 +122,19 @@ const Json* FindField(const Json& object, const char* key, const std::string& wh
 [[noreturn]] void FailMissing(const char* key, const std::string& where);
 [[noreturn]] void FailName(const Json& json, const std::string& where, const char* const* names,
                            std::size_t count);
-[[noreturn]] void FailConstant(const char* key, const std::string& where, const std::string& found,
-                               const std::string& expected);
-void CheckCount(const Json& list, const std::string& where, std::size_t count);
 
 }  // namespace internal
 
-template <typename T, typename... Context>
-Json ToJson(const T& value, const Context&... context);
+template <typename T>
+Json ToJson(const T& value);
 
 class JsonWriter {
  public:
   static constexpr bool kReads = false;
 
-  template <typename T, typename... Context>
-  void Field(const char* key, const T& value, const Context&... context) {
-    json_[key] = ToJson(value, context...);
+  template <typename T>
+  void Field(const char* key, const T& value) {
+    json_[key] = ToJson(value);
   }
   template <typename T>
   void Optional(const char* key, const T& value) {
@@ -153,28 +148,6 @@ class JsonWriter {
   void Added(const char* key, const T& value) {
     Field(key, value);
   }
-  // A value that follows from other fields: written for the convenience of readers, and verified on
-  // reading.
-  void Constant(const char* key, const std::string& text) { json_[key] = text; }
-  // A bool, written as one of two names.
-  void Flag(const char* key, bool value, const char* if_false, const char* if_true) {
-    json_[key] = value ? if_true : if_false;
-  }
-  // Whether the fields that belong to `key` are present: `has` when writing, the presence of `key`
-  // when reading.
-  bool Has(const char* /*key*/, bool has) const { return has; }
-  // A list with one element per context.
-  template <typename T, typename Context>
-  void Each(const char* key, const std::vector<T>& values, const std::vector<Context>& contexts) {
-    Json& list = json_[key] = Json::array();
-    for (std::size_t i = 0; i < values.size(); ++i) list.push_back(ToJson(values[i], contexts[i]));
-  }
-  // An object with one value per name.
-  template <typename T>
-  void Named(const char* key, const std::vector<T>& values, const std::vector<std::string>& names) {
-    Json& object = json_[key] = Json::object();
-    for (std::size_t i = 0; i < values.size(); ++i) object[names[i]] = ToJson(values[i]);
-  }
   Json Take() { return std::move(json_); }
 
  private:
@@ -182,8 +155,8 @@ class JsonWriter {
 };
 
 // Throws Error naming `where` and the field if the field is missing or has another type.
-template <typename T, typename... Context>
-T FromJson(const Json& json, const std::string& where, const Context&... context);
+template <typename T>
+T FromJson(const Json& json, const std::string& where);
 
 class JsonReader {
  public:
@@ -192,9 +165,9 @@ class JsonReader {
   JsonReader(const Json& json, const std::string& where) : json_(json), where_(where) {
     if (!json_.is_object()) internal::FailType(json_, where_, "an object");
   }
-  template <typename T, typename... Context>
-  void Field(const char* key, T& value, const Context&... context) {
-    value = FromJson<T>(At(key), Where<T>(key), context...);
+  template <typename T>
+  void Field(const char* key, T& value) {
+    value = FromJson<T>(At(key), Where<T>(key));
   }
   template <typename T>
   void Optional(const char* key, T& value) {
@@ -205,35 +178,7 @@ class JsonReader {
   void Added(const char* key, T& value) {
     Optional(key, value);
   }
-  void Constant(const char* key, const std::string& text) {
-    const std::string found = internal::ReadJsonText(At(key), Where<std::string>(key));
-    if (found != text) internal::FailConstant(key, where_, found, text);
-  }
-  void Flag(const char* key, bool& value, const char* if_false, const char* if_true) {
-    const std::array names = {if_false, if_true};
-    const std::string name = internal::ReadJsonText(At(key), Where<std::string>(key));
-    value = name == if_true;
-    if (!value && name != if_false) {
-      internal::FailName(At(key), Where<std::string>(key), names.data(), names.size());
-    }
-  }
-  bool Has(const char* key, bool /*has*/) const { return json_.contains(key); }
   const std::string& where() const { return where_; }
-  template <typename T, typename Context>
-  void Each(const char* key, std::vector<T>& values, const std::vector<Context>& contexts) {
-    const Json& list = At(key);
-    internal::CheckCount(list, Where<std::vector<T>>(key), contexts.size());
-    for (std::size_t i = 0; i < contexts.size(); ++i) {
-      values.push_back(FromJson<T>(list[i], StrCat(where_, ", ", key, "[", i, "]"), contexts[i]));
-    }
-  }
-  template <typename T>
-  void Named(const char* key, std::vector<T>& values, const std::vector<std::string>& names) {
-    const std::string where = StrCat(where_, ", ", key);
-    JsonReader object(At(key), where);
-    values.resize(names.size());
-    for (std::size_t i = 0; i < names.size(); ++i) object.Field(names[i].c_str(), values[i]);
-  }
 
  private:
   const Json& At(const char* key) const {
@@ -250,19 +195,19 @@ class JsonReader {
   const std::string& where_;
 };
 
-template <typename T, typename... Context>
-Json ToJson(const T& value, const Context&... context) {
+template <typename T>
+Json ToJson(const T& value) {
   if constexpr (NamedEnum<T>) {
     return NameOf(value);
-  } else if constexpr (JsonRecord<T, Context...>) {
+  } else if constexpr (JsonRecord<T>) {
     JsonWriter writer;
-    T::VisitFields(value, writer, context...);
+    T::VisitFields(value, writer);
     return writer.Take();
   } else if constexpr (internal::kIsOptional<T>) {
     return value ? ToJson(*value) : Json(nullptr);
   } else if constexpr (internal::kIsVector<T>) {
     Json list = Json::array();
-    for (const auto& element : value) list.push_back(ToJson(element, context...));
+    for (const auto& element : value) list.push_back(ToJson(element));
     return list;
   } else if constexpr (internal::kIsMap<T>) {
     Json object = Json::object();
@@ -296,8 +241,8 @@ T ReadRecord(const std::filesystem::path& file, const std::vector<std::string>& 
   return ReadRecord<T>(ReadJson(file, skipped), file.string());
 }
 
-template <typename T, typename... Context>
-T FromJson(const Json& json, const std::string& where, const Context&... context) {
+template <typename T>
+T FromJson(const Json& json, const std::string& where) {
   if constexpr (NamedEnum<T>) {
     const std::string name = internal::ReadJsonText(json, where);
     const std::optional<T> value = EnumOf<T>(name);
@@ -306,10 +251,10 @@ T FromJson(const Json& json, const std::string& where, const Context&... context
       internal::FailName(json, where, names.data(), names.size());
     }
     return *value;
-  } else if constexpr (JsonRecord<T, Context...>) {
+  } else if constexpr (JsonRecord<T>) {
     T record;
     JsonReader reader(json, where);
-    T::VisitFields(record, reader, context...);
+    T::VisitFields(record, reader);
     return record;
   } else if constexpr (internal::kIsOptional<T>) {
     if (json.is_null()) return std::nullopt;
@@ -320,7 +265,7 @@ T FromJson(const Json& json, const std::string& where, const Context&... context
     T list;
     for (const Json& element : json) {
       const std::string place = internal::kHasParts<Element> ? StrCat("[", list.size(), "]") : "";
-      list.push_back(FromJson<Element>(element, where + place, context...));
+      list.push_back(FromJson<Element>(element, where + place));
     }
     return list;
   } else if constexpr (internal::kIsMap<T>) {

@@ -3,7 +3,6 @@
 #include "core/files/json/options_json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
+#include "core/files/text/number.h"
 
 namespace cvo {
 namespace {
@@ -28,12 +28,10 @@ bool IsGroup(const std::string& path, const std::vector<OptionLeaf>& leaves) {
   for (const OptionLeaf& leaf : leaves) known.push_back(leaf.path);
   // A short list of names is more helpful than a reference to where they are listed.
   constexpr std::size_t kShort = 20;
-  std::string expected = "one of those that `clustervo list options` lists";
-  if (known.size() <= kShort) {
-    expected = "one of";
-    for (const std::string& name : known) expected += (&name == &known[0] ? " " : ", ") + name;
-  }
-  expected += DidYouMean(path, known);
+  const std::string expected =
+      known.size() <= kShort
+          ? OneOfKnown(path, known)
+          : "one of those that `clustervo list options` lists" + DidYouMean(path, known);
   ThrowError(where, StrCat("unknown option ", path), expected);
 }
 
@@ -79,12 +77,10 @@ std::optional<T> Read(std::string_view text) {
   if constexpr (std::same_as<T, bool>) {
     if (text == "true" || text == "false") return text == "true";
     return std::nullopt;
+  } else if constexpr (std::same_as<T, int>) {
+    return ParseInt(text);
   } else {
-    T number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = error == std::errc{} && end == text.data() + text.size();
-    return whole && std::isfinite(static_cast<double>(number)) ? std::optional(number)
-                                                               : std::nullopt;
+    return ParseDouble(text);
   }
 }
 

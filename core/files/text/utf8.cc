@@ -5,6 +5,7 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 
@@ -136,26 +137,15 @@ std::string PrintableLines(std::string_view text) {
 std::size_t Width(std::string_view text) { return Characters(text).size(); }
 
 std::string HtmlEscaped(std::string_view text) {
+  constexpr std::string_view kSpecial = "&<>\"'";
+  constexpr std::array kEscapes = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   std::string escaped;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
+    const std::size_t special = kSpecial.find(c);
+    if (special == std::string_view::npos) {
+      escaped += c;
+    } else {
+      escaped += kEscapes[special];
     }
   }
   return escaped;

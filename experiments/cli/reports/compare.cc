@@ -2,174 +2,104 @@
 // SPDX-License-Identifier: Apache-2.0
 // clustervo experiment compare: suites or runs with each other; clustervo check: a suite with a
 // baseline.
+#include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/json/json_record.h"
-#include "core/files/text/number.h"
+#include "core/files/atomic_file.h"
+#include "core/files/text/closest_names.h"
 #include "core/record/metric_catalogue.h"
+#include "core/record/suite_runs.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
 #include "reports/gate/check_runs.h"
-#include "reports/runs/run_comparison.h"
 #include "reports/tables/make_table.h"
-#include "reports/tables/table_texts.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
-using reports::PairedComparison;
-using reports::RunComparison;
-
 struct CompareFlags {
   std::vector<std::string> folders;
-  bool all = false;
-  bool json = false;
   TableFormat format;
 };
 
-std::string Signed(double value) { return FormatSigned(value, 3); }
+// Metrics of the table of runs, if any of them has these.
+constexpr std::array<const char*, 8> kRunMetrics = {
+    "camera_ate",      "camera_trpe_1_frame", "object_ate",       "object_success_10cm",
+    "object_coverage", "object_id_switches",  "moving_precision", "moving_recall"};
 
-void PrintRuns(const RunComparison& comparison) {
-  std::cout << "sequence " << comparison.sequence << '\n';
-  TextTable table({"run", "seed", "frames", "status", "folder"});
-  std::set<std::string> builds;
-  for (const reports::ComparedRun& run : comparison.runs) {
-    table.Add({run.name, StrCat(run.seed),
-               StrCat(run.first_frame, ":", run.first_frame + run.frames), run.status, run.folder});
-    builds.insert(run.build);
-  }
-  table.Print(std::cout);
-  if (builds.size() > 1) std::cout << "the runs are of different builds of the program\n";
-}
-
-// Prints at most kMost options; --json contains all of them.
-void PrintOptions(const RunComparison& comparison) {
-  constexpr std::size_t kMost = 12;
-  std::set<std::string> paths;
-  for (const reports::ComparedRun& run : comparison.runs) {
-    for (const auto& [path, value] : run.options) paths.insert(path);
-  }
-  if (paths.empty()) return;
-  std::vector<std::string> header = {"option"};
-  for (const reports::ComparedRun& run : comparison.runs) header.push_back(run.name);
-  TextTable table(header);
-  std::size_t shown = 0;
-  for (const std::string& path : paths) {
-    if (shown++ == kMost) break;
-    std::vector<std::string> row = {path};
-    for (const reports::ComparedRun& run : comparison.runs) {
-      const auto found = run.options.find(path);
-      row.push_back(found == run.options.end() ? "-" : found->second);
+std::vector<reports::RunSummary> ReadRunsToCompare(const std::vector<std::string>& folders) {
+  std::vector<reports::RunSummary> runs;
+  for (const std::string& folder : folders) {
+    runs.push_back(reports::ReadRun(fs::path(folder) / "result.json", reports::AllMetricNames()));
+    const std::string& sequence = runs.back().sequence.name;
+    if (sequence != runs.front().sequence.name) {
+      ThrowError(folder, "a run of " + sequence, "one of " + runs.front().sequence.name);
     }
-    table.Add(row);
   }
-  std::cout << '\n';
-  table.Print(std::cout);
-  if (paths.size() > kMost) {
-    std::cout << "and " << paths.size() - kMost << " more options that differ\n";
-  }
+  return runs;
 }
 
-void PrintMetricsOf(const RunComparison& comparison, bool all) {
-  std::vector<std::string> header = {"metric", "unit"};
-  for (const reports::ComparedRun& run : comparison.runs) header.push_back(run.name);
-  header.emplace_back(comparison.runs.size() == 2 ? "difference" : "note");
-  TextTable table(header);
-  for (const reports::ComparedMetric& metric : comparison.metrics) {
-    const auto form = reports::FindForm(metric.name);
-    const bool main_form = form && !form->causal && form->bodies == reports::BodyGroup::kMovers;
-    if (!all && !main_form) continue;
-    std::vector<std::string> row = {metric.name, metric.unit};
-    for (const auto& value : metric.values) row.push_back(value ? ReadableNumber(*value) : "-");
-    row.emplace_back();
-    if (!metric.differing.empty()) {
-      row.back() = "defined differently: " + metric.differing;
-    } else if (metric.values.size() == 2 && metric.values[0] && metric.values[1]) {
-      row.back() = Signed(*metric.values[1] - *metric.values[0]);
-    }
-    table.Add(row);
+reports::PlanJob PlannedJobOf(const reports::RunSummary& run) {
+  reports::PlanJob job;
+  job.sequence = run.sequence.name;
+  job.variant = run.variant;
+  if (run.system) {
+    job.system = run.variant.substr(reports::SystemVariant("").size());
+    job.variant.clear();
   }
-  std::cout << '\n';
-  table.Print(std::cout);
+  job.seed = run.seed;
+  job.oracle = run.given.value("oracle", std::vector<std::string>());
+  job.frames = run.sequence.frames;
+  job.job = run.job;
+  return job;
 }
 
-void PrintPaired(const std::vector<PairedComparison>& list, const std::string& heading,
-                 const std::string& first, const std::string& value_heading, bool several) {
-  if (list.empty()) return;
-  std::cout << '\n' << heading << '\n';
-  std::vector<std::string> header = {
-      "what",          list.front().frames > 0 ? "blocks of frames" : "pairs",
-      "unit",          first,
-      value_heading,   "difference",
-      "95 % interval", "in %",
-      "verdict"};
-  if (several) header.insert(header.begin(), "run");
-  TextTable table(header);
-  for (const PairedComparison& paired : list) {
-    const reports::Difference& difference = paired.difference;
-    const std::string pairs =
-        paired.frames > 0 ? StrCat(difference.pairs, " (", Counted(paired.frames, "frame"), ")")
-                          : StrCat(difference.pairs);
-    const auto& interval = difference.interval;
-    std::vector<std::string> row = {
-        paired.what,
-        pairs,
-        paired.unit,
-        ReadableNumber(difference.reference_value),
-        ReadableNumber(difference.value),
-        Signed(difference.difference),
-        interval ? StrCat(Signed(interval->low), " to ", Signed(interval->high)) : "-",
-        difference.percent ? Signed(*difference.percent) : "-",
-        paired.verdict};
-    if (several) row.insert(row.begin(), paired.run);
-    table.Add(row);
+// Makes `folder` look like the output folder of a suite of these runs, with the first as the
+// reference. Throws Error for runs on different sequences and for a run given twice.
+void WriteSuiteOfRuns(const std::vector<std::string>& folders, const fs::path& folder) {
+  const std::vector<reports::RunSummary> runs = ReadRunsToCompare(folders);
+  std::vector<std::string> variants;
+  for (const reports::RunSummary& run : runs) variants.push_back(run.variant);
+  const std::vector<std::string> names = UniqueNames(variants, folders);
+  reports::PlanFile plan;
+  plan.suite.name = "Runs on " + runs.front().sequence.name;
+  for (const char* name : kRunMetrics) {
+    const bool any = std::any_of(runs.begin(), runs.end(), [&](const auto& run) {
+      return reports::FindMetric(run, name) != nullptr;
+    });
+    if (any) plan.table.metrics.emplace_back(name);
   }
-  table.Print(std::cout);
+  plan.table.reference = names.front();
+  if (names != variants) {
+    plan.table.rows = {"variant", "run"};
+    plan.table.reference = "run=" + names.front();
+  }
+  fs::create_directories(folder / "jobs");
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    plan.jobs.push_back(PlannedJobOf(runs[i]));
+    if (names != variants) plan.jobs.back().parameters["run"] = names[i];
+    const fs::path job = folder / "jobs" / runs[i].job;
+    if (fs::exists(job)) ThrowError(folders[i], "the same run twice", "each once");
+    fs::create_directory_symlink(fs::absolute(folders[i]), job);
+  }
+  WriteFilesAtomically(folder, {{"plan.json", FileText(plan)}});
 }
 
-void PrintComparison(const RunComparison& comparison, bool all) {
-  PrintRuns(comparison);
-  PrintOptions(comparison);
-  PrintMetricsOf(comparison, all);
-  const bool several = comparison.runs.size() > 2;
-  const std::string value = several ? "run" : comparison.runs.back().name;
-  const std::string& first = comparison.runs.front().name;
-  PrintPaired(comparison.by_frame,
-              "mean position error over the frames that both estimate. camera: each run aligned to "
-              "the truth by SE(3)\nover these frames alone (camera_ate_mean covers all frames of a "
-              "run); bodies: in the world of the object metrics:",
-              first, value, several);
-  PrintPaired(comparison.by_body, "over the bodies that both runs have:", first, value, several);
-  std::cout
-      << "\ndifferences: run minus first (" << comparison.runs.front().name
-      << "). Intervals are bootstrapped over blocks of\nconsecutive frames, or over bodies, "
-         "of this one sequence: they say nothing about other scenes.\nbetter, worse: the interval "
-         "excludes 0 and p, corrected for all comparisons here (Holm), is below 0.05.\n";
-  for (const std::string& note : comparison.notes) std::cout << "not compared: " << note << '\n';
-}
-
-int CompareSomeRuns(const CompareFlags& flags) {
-  constexpr std::size_t kMost = 20;
-  if (flags.folders.size() > kMost) {
-    throw UsageError(
-        StrCat("DIR: found ", flags.folders.size(), " runs, expected at most ", kMost));
-  }
-  const RunComparison comparison =
-      reports::CompareRuns({flags.folders.begin(), flags.folders.end()});
-  if (flags.json) {
-    std::cout << FileText(comparison);
-  } else {
-    PrintComparison(comparison, flags.all);
-  }
+// As the table of a suite of these runs.
+int CompareRuns(const CompareFlags& flags) {
+  const ScratchFolder suite;
+  WriteSuiteOfRuns(flags.folders, suite.path());
+  const reports::Table table = reports::MakeTable(suite.path(), {}, DefaultOptions());
+  OutputTable(table, flags.format, {flags.folders.begin(), flags.folders.end()});
   return 0;
 }
 
-int CompareTwoSuites(const CompareFlags& flags) {
+int CompareSuites(const CompareFlags& flags) {
   if (flags.folders.size() != 2) {
     throw UsageError(StrCat("DIR: found ", flags.folders.size(), " suites, expected 2"));
   }
@@ -189,7 +119,7 @@ bool IsSuite(const fs::path& folder) {
              "the output folder of a run or of a suite");
 }
 
-int Compare(const CLI::App& app, const CompareFlags& flags) {
+int Compare(const CompareFlags& flags) {
   const std::string& first = flags.folders.front();
   const bool suites = IsSuite(first);
   for (const std::string& folder : flags.folders) {
@@ -197,20 +127,14 @@ int Compare(const CLI::App& app, const CompareFlags& flags) {
     throw UsageError(StrCat(folder, ": found the folder of a ", suites ? "run" : "suite",
                             ", expected that of a ", suites ? "suite" : "run", ", as ", first));
   }
-  if (suites) {
-    RefuseFlags(app, {"--all", "--json"}, "applies to runs, found suites");
-    return CompareTwoSuites(flags);
-  }
-  RefuseFlags(app, {"--format", "--output", "--long"}, "applies to suites, found runs");
-  return CompareSomeRuns(flags);
+  return suites ? CompareSuites(flags) : CompareRuns(flags);
 }
 
 }  // namespace
 
 Command AddExperimentCompareCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
-      "compare",
-      "Compare two suites over their common runs, or runs on one sequence by frame and by body");
+      "compare", "Compare two suites over their common runs, or runs on one sequence");
   const FlagAdder add{*app};
   const auto flags = std::make_shared<CompareFlags>();
   add("DIR", flags->folders, "",
@@ -218,25 +142,17 @@ Command AddExperimentCompareCommand(CLI::App& experiment) {
       "or eval, or DIR/jobs/ID of a suite), the first of which is the reference")
       ->required()
       ->expected(-2);
-  app->add_flag("--all", flags->all,
-                "runs: also print causal metrics and the metrics of static bodies");
-  app->add_flag("--json", flags->json, "runs: print JSON, with all metrics, pairs and intervals");
   flags->format.AddTo(*app);
-  for (const char* flag : {"--format", "--output", "--long"}) {
-    CLI::Option* option = app->get_option(flag);
-    option->description("suites: " + option->get_description());
-  }
   app->footer(
       "Suites: the output starts with the options, builds and variants in which they differ. Rows, "
       "scenes,\nseeds and bodies are paired; differences are B - A. Results that define the same "
       "metric\ndifferently are rejected.\n"
-      "Runs: intervals cover the frames or bodies of this sequence only. To draw conclusions about "
-      "other\nscenes, run a suite.\n"
+      "Runs: intervals cover the bodies of this sequence only. To draw conclusions about other "
+      "scenes,\nrun a suite.\n"
       "Examples:\n"
       "  clustervo experiment compare results/before results/after\n"
       "  clustervo experiment compare results/room_static results/room_full");
-  app->callback([flags] { flags->format.Check(); });
-  return {app, [app, flags] { return Compare(*app, *flags); }};
+  return {app, [flags] { return Compare(*flags); }};
 }
 
 namespace {

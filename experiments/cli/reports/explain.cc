@@ -125,8 +125,7 @@ void PrintBodies(const ExplainedRun& read) {
   table.Print(std::cout);
 }
 
-// The position error over the frames, with the failed stages at the bottom and the events as
-// vertical lines.
+// The position error over the frames, with the failed stages at the bottom.
 reports::Chart ErrorChart(const std::string& title, const reports::BodyStory& story) {
   constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
   reports::Panel panel;
@@ -135,9 +134,6 @@ reports::Chart ErrorChart(const std::string& title, const reports::BodyStory& st
   panel.y.title = "position error (cm)";
   panel.y.from_zero = true;
   panel.rules.push_back({100.0 * reports::kGoodError_m, false, "10 cm"});
-  for (const reports::BodyEvent& event : reports::EventsOf(story)) {
-    panel.rules.push_back({1.0 * event.frame, true, event.what});
-  }
   reports::Series error;
   error.name = story.body.name;
   for (const reports::BodyFrame& frame : story.frames) {
@@ -166,9 +162,9 @@ int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
   const reports::BodyStory story = read.Story(body);
   for (const std::string& line : reports::StoryLines(story)) std::cout << line << '\n';
   std::cout << '\n';
-  TextTable table({"frames", "stage", "error, cm", "detected", "landmarks at first", "events"});
+  TextTable table({"frames", "stage", "error, cm", "detected", "landmarks at first"});
   for (const reports::TimelineRow& row : reports::TimelineOf(story, read.run.detail.bodies)) {
-    table.Add({row.frames, row.stage, row.error_cm, row.detected, row.landmarks, row.events});
+    table.Add({row.frames, row.stage, row.error_cm, row.detected, row.landmarks});
   }
   table.Print(std::cout);
   if (flags.output.empty()) return 0;
@@ -204,8 +200,7 @@ Command AddExplainCommand(CLI::App& program) {
   CLI::Option* body = add("BODY", flags->body, "",
                           "name or number of a ground-truth body; default: list all bodies");
   add("-o,--output", flags->output, "FILE",
-      "also write a chart (SVG) of the position error over the frames, with the failed stages and "
-      "the frames in which the body was found, lost, merged or worst estimated")
+      "also write a chart (SVG) of the position error over the frames, with the failed stages")
       ->needs(body);
   add("--sequence", flags->sequence, "FOLDER", "folder of the images, if they have moved since");
   app->footer(

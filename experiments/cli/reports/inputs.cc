@@ -116,9 +116,7 @@ bool AddDetections(const std::string& folder, reports::OverlayRun& run) {
   const auto frames = DetectionsOf(*sequence, run.classes);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     for (const Detection& detection : frames[i]) {
-      const ImageBox& box = detection.box;
-      run.detections[sequence->first_frame + static_cast<int>(i)].push_back(
-          {box.left_px, box.top_px, box.right_px, box.bottom_px});
+      run.detections[sequence->first_frame + static_cast<int>(i)].push_back(detection.box);
     }
   }
   return true;
@@ -148,11 +146,6 @@ Trajectory ReadKittiTrajectory(const fs::path& path) {
   return trajectory;
 }
 
-RigidTransform TransformOf(const reports::Pose& pose) {
-  return {Eigen::Quaterniond(pose[6], pose[3], pose[4], pose[5]),
-          Eigen::Vector3d(pose[0], pose[1], pose[2])};
-}
-
 PlotInput ReadRunInput(const std::string& path) {
   const fs::path result = fs::path(path) / "result.json";
   if (!fs::exists(result)) {
@@ -163,9 +156,10 @@ PlotInput ReadRunInput(const std::string& path) {
   reports::RunDetail detail = reports::ReadRunDetail(path);
   PlotInput input{path, run.variant, run.sequence.name, {}, true, true, {}, {}};
   for (const reports::CameraFrame& frame : detail.camera) {
-    if (frame.truth) input.truth.push_back({frame.timestamp_ns, TransformOf(*frame.truth)});
+    if (frame.truth)
+      input.truth.push_back({frame.timestamp_ns, reports::TransformOf(*frame.truth)});
     if (frame.status == "skipped") continue;
-    input.poses.push_back({frame.timestamp_ns, TransformOf(frame.world_from_camera)});
+    input.poses.push_back({frame.timestamp_ns, reports::TransformOf(frame.world_from_camera)});
   }
   input.bodies = std::move(detail.bodies);
   return input;

@@ -23,13 +23,10 @@ namespace cvo {
 // How a table is printed, and where.
 struct TableFormat {
   std::string format = "terminal";
-  std::string output;   // a file; empty: standard output
-  bool longer = false;  // CSV: one record per cell
+  std::string output;  // a file; empty: standard output
 
-  // Adds --format, --output and --long.
+  // Adds --format and --output.
   void AddTo(CLI::App& app);
-  // Throws a command-line error if the flags do not go together.
-  void Check() const;
 };
 
 // Prints the table, or writes it to its file, which must not be one of `read`, and reports the

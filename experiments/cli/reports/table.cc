@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 
@@ -19,7 +18,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
 #include "experiments/suite/engine.h"
-#include "reports/runs/suite_times.h"
+#include "reports/runs/run_detail.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/table_texts.h"
 
@@ -36,14 +35,9 @@ std::size_t TerminalWidth() {
 
 std::string Rendered(const reports::Table& table, const TableFormat& format) {
   if (format.format == "markdown") return reports::TableMarkdown(table);
-  if (format.format == "csv") {
-    return format.longer ? reports::TableLongCsv(table) : reports::TableCsv(table);
-  }
+  if (format.format == "csv") return reports::TableCsv(table);
   if (format.format == "latex") return reports::TableLatex(table);
-  if (!format.output.empty() || isatty(STDOUT_FILENO) == 0) {
-    return reports::TableText(table, false);
-  }
-  return reports::TableText(table, true, TerminalWidth());
+  return reports::TableText(table, format.output.empty() ? TerminalWidth() : 0);
 }
 
 // Makes and prints the table of a suite's output folder. In the terminal format, also writes
@@ -104,11 +98,6 @@ void TableFormat::AddTo(CLI::App& app) {
       ->check(OneOf({"terminal", "markdown", "csv", "latex"}))
       ->capture_default_str();
   add("-o,--output", output, "FILE", "write the table to this file instead of printing it");
-  app.add_flag("--long", longer, "csv: one record per cell, with all its fields");
-}
-
-void TableFormat::Check() const {
-  if (longer && format != "csv") throw CLI::ValidationError("--long", "requires --format csv");
 }
 
 void OutputTable(const reports::Table& table, const TableFormat& format,
@@ -116,9 +105,7 @@ void OutputTable(const reports::Table& table, const TableFormat& format,
   const std::string text = Rendered(table, format);
   if (format.format != "terminal") after.clear();
   if (format.output.empty()) {
-    std::cout.flush();
-    std::fputs(text.c_str(), stdout);  // not std::cout: CleanOutput removes terminal codes
-    std::cout << after;
+    std::cout << text << after;
     return;
   }
   WriteOutputFile(format.output, text + after, read);
@@ -157,11 +144,9 @@ Command AddExperimentTableCommand(CLI::App& experiment) {
       "  clustervo experiment table results/ablation --format latex -o ablation.tex\n"
       "  clustervo experiment table results/timing --times");
   app->callback([app, flags] {
-    flags->format.Check();
     if (flags->folder.empty() && flags->from.empty()) throw CLI::RequiredError("DIR or --from");
     if (!flags->times) return;
-    RefuseFlags(*app, {"--reference", "--format", "--output", "--long"},
-                "does not apply with --times");
+    RefuseFlags(*app, {"--reference", "--format", "--output"}, "does not apply with --times");
   });
   return {app, [flags] { return OutputTableOf(*flags); }};
 }

@@ -15,7 +15,7 @@
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/suite.h"
 #include "reports/page/page.h"
-#include "reports/runs/suite_times.h"
+#include "reports/runs/run_detail.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo {

@@ -15,80 +15,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Eigen::Vector3d ReadVector(const CsvFile& file, std::size_t row, std::size_t column) {
-  return {file.Number(row, column), file.Number(row, column + 1), file.Number(row, column + 2)};
-}
-
-Eigen::Quaterniond ReadRotation(const CsvFile& file, std::size_t row, std::size_t column) {
-  constexpr double kTolerance = 1e-6;
-  const Eigen::Quaterniond rotation(file.Number(row, column + 3), file.Number(row, column),
-                                    file.Number(row, column + 1), file.Number(row, column + 2));
-  if (std::abs(rotation.norm() - 1.0) > kTolerance) {
-    file.Fail(row, StrCat("a quaternion of length ", rotation.norm()), "one of length 1");
+void CheckBody(const SceneBody& body, const std::string& where) {
+  if (body.name.empty() || body.category.empty()) {
+    ThrowError(where, "an empty name or category", "text");
   }
-  return rotation;
-}
-
-// Reads a box of four numbers; empty for four empty cells.
-std::optional<ImageBox> ReadBox(const CsvFile& file, std::size_t row, std::size_t column) {
-  int empty = 0;
-  for (std::size_t i = 0; i < 4; ++i) empty += file.Empty(row, column + i) ? 1 : 0;
-  if (empty == 4) return std::nullopt;
-  const ImageBox box = {file.Number(row, column), file.Number(row, column + 1),
-                        file.Number(row, column + 2), file.Number(row, column + 3)};
-  if (box.right_px < box.left_px || box.bottom_px < box.top_px) {
-    file.Fail(row,
-              StrCat("a box of ", box.right_px - box.left_px, " x ", box.bottom_px - box.top_px),
-              "left <= right and top <= bottom");
-  }
-  return box;
-}
-
-void CheckFraction(const CsvFile& file, std::size_t row, const char* name, double value) {
-  if (value < 0.0 || value > 1.0) file.Fail(row, StrCat(name, " ", value), "a value in [0, 1]");
-}
-
-SceneBody ReadBody(const CsvFile& file, std::size_t row) {
-  SceneBody body;
-  body.id = file.Integer(row, 1);
-  body.name = file.Name(row, 2);
-  body.category = file.Name(row, 3);
-  body.world_from_object = {ReadRotation(file, row, 7), ReadVector(file, row, 4)};
-  body.velocity_in_world = ReadVector(file, row, 11);
-  body.angular_velocity_in_world = ReadVector(file, row, 14);
-  body.size_m = ReadVector(file, row, 17);
-  body.visible_px = file.Integer(row, 20);
-  body.alone_px = file.Integer(row, 21);
-  body.visible_fraction = file.Number(row, 22);
-  body.truncation = file.Number(row, 23);
-  body.visible_box = ReadBox(file, row, 24);
-  body.amodal_box = ReadBox(file, row, 28);
   if (!(body.size_m.minCoeff() > 0.0)) {
-    file.Fail(row, StrCat("a size of ", body.size_m.transpose(), " m"), "positive sizes");
+    ThrowError(where, StrCat("a size of ", body.size_m.transpose(), " m"), "positive sizes");
   }
-  if (body.visible_px < 0 || body.alone_px < body.visible_px) {
-    file.Fail(row, StrCat(body.visible_px, " visible pixels of ", body.alone_px),
-              "0 <= visible_px <= alone_px");
-  }
-  if (body.visible_box.has_value() != (body.visible_px > 0)) {
-    file.Fail(row,
-              StrCat(body.visible_px, " visible pixels and ",
-                     body.visible_box ? "a visible box" : "no visible box"),
-              "a visible box where there are visible pixels");
-  }
-  CheckFraction(file, row, "visible_fraction", body.visible_fraction);
-  CheckFraction(file, row, "truncation", body.truncation);
-  return body;
 }
 
-void CheckSame(const CsvFile& file, std::size_t row, const SceneBody& body,
-               const SceneBody& first) {
+void CheckSame(const SceneBody& body, const SceneBody& first, const std::string& where) {
   if (body.name == first.name && body.category == first.category && body.size_m == first.size_m) {
     return;
   }
-  file.Fail(row, StrCat(body.name, ", ", body.category, ", ", body.size_m.transpose()),
-            StrCat("body ", body.id, " as in frame 0: ", first.name, ", ", first.category, ", ",
-                   first.size_m.transpose()));
+  ThrowError(where, StrCat(body.name, ", ", body.category, ", ", body.size_m.transpose()),
+             StrCat("body ", body.id, " as in frame 0: ", first.name, ", ", first.category, ", ",
+                    first.size_m.transpose()));
 }
 
 std::string Describe(int type, cv::Size size) {
@@ -117,29 +59,28 @@ cv::Mat Decode(const fs::path& path, int type, cv::Size size) {
 
 }  // namespace
 
-const std::string_view kObjectsHeader =
-    "frame,id,name,category,x,y,z,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz,length_m,width_m,height_m,"
-    "visible_px,alone_px,visible_fraction,truncation,visible_left,visible_top,visible_right,"
-    "visible_bottom,amodal_left,amodal_top,amodal_right,amodal_bottom";
 std::vector<std::vector<SceneBody>> ReadSceneBodies(const std::filesystem::path& path,
                                                     int frame_count) {
-  const CsvFile file(path, kObjectsHeader);
+  std::vector<SceneBody> rows;
+  ReadCsv<SceneBody>(path, [&](SceneBody row, std::size_t) { rows.push_back(std::move(row)); });
   const std::size_t frames = static_cast<std::size_t>(frame_count);
-  if (frames == 0 || file.rows() % frames != 0) {
-    ThrowError(path.string(), StrCat(file.rows(), " rows"),
+  if (frames == 0 || rows.size() % frames != 0) {
+    ThrowError(path.string(), StrCat(rows.size(), " rows"),
                StrCat("as many for each of ", frame_count, " frames"));
   }
-  const std::size_t bodies = file.rows() / frames;
+  const std::size_t bodies = rows.size() / frames;
   std::vector<std::vector<SceneBody>> truth(frames);
-  for (std::size_t row = 0; row < file.rows(); ++row) {
-    const int frame = static_cast<int>(row / bodies);
-    const int id = static_cast<int>(row % bodies) + 1;
-    SceneBody body = ReadBody(file, row);
-    if (file.Integer(row, 0) != frame || body.id != id) {
-      file.Fail(row, StrCat("frame ", file.Integer(row, 0), ", body ", body.id),
-                StrCat("frame ", frame, ", body ", id, ": all bodies of a frame, then the next"));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::string where = StrCat(path.string(), ":", i + 2);
+    const auto frame = static_cast<int>(i / bodies);
+    const auto id = static_cast<int>(i % bodies) + 1;
+    SceneBody& body = rows[i];
+    CheckBody(body, where);
+    if (body.frame != frame || body.id != id) {
+      ThrowError(where, StrCat("frame ", body.frame, ", body ", body.id),
+                 StrCat("frame ", frame, ", body ", id, ": all bodies of a frame, then the next"));
     }
-    if (frame > 0) CheckSame(file, row, body, truth[0][static_cast<std::size_t>(id) - 1]);
+    if (frame > 0) CheckSame(body, truth[0][static_cast<std::size_t>(id) - 1], where);
     truth[static_cast<std::size_t>(frame)].push_back(std::move(body));
   }
   return truth;

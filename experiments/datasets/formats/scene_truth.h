@@ -2,39 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "core/association/box_association.h"
-#include "core/geometry/rigid_transform.h"
+#include "core/record/scene_rows.h"
 
 namespace cvo {
-
-// One body in one frame of a synthetic scene: a row of objects.csv. The world is the first left
-// camera. The object's frame is x forward, y left, z up, with its origin at the centre of its box.
-struct SceneBody {
-  int id = 0;  // 1, 2, ...: the value in instance masks
-  std::string name;
-  std::string category;
-  RigidTransform world_from_object;
-  Eigen::Vector3d velocity_in_world;          // of the object's origin, m/s
-  Eigen::Vector3d angular_velocity_in_world;  // rad/s
-  Eigen::Vector3d size_m;                     // of its box along x, y, z
-  int visible_px = 0;                         // in the mask of the left image
-  int alone_px = 0;                           // if nothing occluded it
-  double visible_fraction = 0.0;              // visible_px / alone_px; 0 if out of view
-  double truncation = 0.0;                    // fraction of its projected box outside the image
-  // A box around the single pixel (u, v) has all four sides on it.
-  std::optional<ImageBox> visible_box;  // around the mask; empty if the mask is
-  std::optional<ImageBox> amodal_box;   // around the whole body, clipped to the image
-};
-
-extern const std::string_view kObjectsHeader;
 
 // Reads objects.csv as [frame][id - 1]: every body in every frame, in this order. Names, categories
 // and sizes must be the same in all frames. Throws Error with file and line.

@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <functional>
+#include <limits>
 #include <opencv2/core.hpp>
 #include <string>
 
@@ -18,6 +18,7 @@
 #include "core/files/atomic_file.h"
 #include "core/files/images/image_file.h"
 #include "core/files/text_file.h"
+#include "core/record/csv_record.h"
 #include "tests/support/error_message.h"
 #include "tests/support/image_file.h"
 #include "tests/support/temp_folder.h"
@@ -222,57 +223,81 @@ TEST(Temporary, OldOnesAreLeftovers) {
   RemoveLeftovers(temp.path() / "none");
 }
 
-class CsvFileTest : public testing::Test {
+struct CsvRow {
+  std::int64_t id = 0;
+  std::string name;
+  int count = 0;
+  Eigen::Vector3d p = Eigen::Vector3d::Zero();
+  std::optional<RigidTransform> pose;
+  std::optional<ImageBox> box;
+
+  template <typename Self, typename Archive>
+  static void VisitColumns(Self& self, Archive& archive) {
+    archive.Cells("id", self.id);
+    archive.Cells("name", self.name);
+    archive.Cells("count", self.count);
+    archive.Cells("x,y,z", self.p);
+    archive.Cells("tx,ty,tz,qx,qy,qz,qw", self.pose);
+    archive.Cells("left,top,right,bottom", self.box);
+  }
+};
+
+class CsvRecord : public testing::Test {
  protected:
-  CsvFile Read(const std::string& text) const { return CsvFile(folder_.Write("table.csv", text)); }
-  std::string Problem(
-      const std::string& text,
-      const std::function<void(const CsvFile&)>& use = [](const CsvFile&) {}) const {
-    return ErrorMessage([&] { use(Read(text)); });
+  std::vector<CsvRow> Read(const std::string& rows) const {
+    const std::string file = folder_.Write("t.csv", CsvHeader<CsvRow>() + "\n" + rows);
+    std::vector<CsvRow> read;
+    ReadCsv<CsvRow>(file, [&](CsvRow row, std::size_t) { read.push_back(std::move(row)); });
+    return read;
+  }
+  std::string Problem(const std::string& rows) const {
+    return ErrorMessage([&] { Read(rows); });
   }
 
   test::TempFolder folder_;
 };
 
-TEST_F(CsvFileTest, CellsByRowAndColumn) {
-  const CsvFile file = Read("id,name,x,y\n7,a chair,1.5,-2e3\r\n9007199254740993,,0,1\n");
-  ASSERT_EQ(file.rows(), 2U);
-  EXPECT_EQ(file.Integer(0, file.Column("id")), 7);
-  EXPECT_EQ(file.Id(1, 0), 9007199254740993);
-  EXPECT_EQ(file.Name(0, 1), "a chair");
-  EXPECT_TRUE(file.Empty(1, 1));
-  EXPECT_THAT(file.Numbers<2>(0, file.Columns({"x", "y"})), ElementsAre(1.5, -2000.0));
-  EXPECT_EQ(Read("a\n").rows(), 0U);
+TEST_F(CsvRecord, IsReadAsItIsWritten) {
+  const std::string rows =
+      "9007199254740993,a chair,-7,1.5,-2000,0.1,1,2,3,0,0,0.6,0.8,1,2,3.5,4\n"
+      "1,,0,0,0,0,,,,,,,,,,,\n";
+  const std::vector<CsvRow> read = Read(rows);
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].id, 9007199254740993);
+  EXPECT_EQ(read[0].name, "a chair");
+  EXPECT_EQ(read[0].p, Eigen::Vector3d(1.5, -2000.0, 0.1));
+  EXPECT_EQ(read[0].pose.value().translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(read[0].pose->rotation().w(), 0.8);
+  EXPECT_EQ(read[0].box.value().right_px, 3.5);
+  EXPECT_FALSE(read[1].pose || read[1].box);
+  EXPECT_EQ(CsvLine(read[0]) + CsvLine(read[1]), rows);
+  EXPECT_EQ(Read("1,,0,0,0,0,,,,,,,,,,,\r\n").size(), 1U);
+  CsvRow bad;
+  bad.p.y() = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(ErrorMessage([&] { CsvLine(bad); }), HasSubstr("not finite"));
 }
 
-TEST_F(CsvFileTest, ErrorsOfDamagedFilesNameTheLine) {
-  EXPECT_THAT(Problem(""), HasSubstr("table.csv:1: found nothing"));
-  EXPECT_THAT(Problem("a,b\n1,2\n3,4"), HasSubstr("table.csv:3: found a last line without a line"));
-  EXPECT_THAT(Problem("a,b\n1\n"), HasSubstr("table.csv:2: found 1 cells, expected 2, as line 1"));
-  EXPECT_THAT(Problem("a,b\n\n"), HasSubstr("table.csv:2: found 1 cells"));
-  EXPECT_THAT(Problem("a\n\xff\n"), HasSubstr("table.csv:2: found bytes that are no characters"));
-  EXPECT_THAT(Problem("a\n1\n", [](const CsvFile& file) { file.Column("b"); }),
-              HasSubstr("no column b"));
-  EXPECT_THAT(Problem("a,c,b\n",
-                      [](const CsvFile& file) {
-                        file.Columns({"a", "b"});
-                      }),
-              HasSubstr("column b elsewhere, expected behind a"));
-  EXPECT_THAT(ErrorMessage([&] { CsvFile(folder_.Write("t", "a,b\n"), "a,c"); }),
-              HasSubstr("found \"a,b\", expected the header \"a,c\""));
-}
-
-TEST_F(CsvFileTest, ErrorsOfNonNumericCellsNameTheColumn) {
+TEST_F(CsvRecord, ErrorsNameTheLineAndTheColumn) {
+  const std::string empty = ",,,,,,,,,,,\n";
+  EXPECT_THAT(Problem("1,a,0,0,0,0" + empty + "3,4"),
+              HasSubstr("t.csv:3: found a last line without a line"));
+  EXPECT_THAT(Problem("1\n"), HasSubstr("t.csv:2: found 1 cells, expected 17, as line 1"));
+  EXPECT_THAT(Problem("\n"), HasSubstr("t.csv:2: found 1 cells"));
+  EXPECT_THAT(Problem("1,\xff,0,0,0,0" + empty), HasSubstr("bytes that are no characters"));
   for (const char* cell : {"nan", "inf", "1e999", "", "1 ", "0x1", "one"}) {
-    EXPECT_THAT(Problem("a,b\n1," + std::string(cell) + "\n",
-                        [](const CsvFile& file) { file.Number(0, 1); }),
-                HasSubstr("in column b, expected a finite number"))
+    EXPECT_THAT(Problem(StrCat("1,a,0,0,", cell, ",0", empty)),
+                HasSubstr("in column y, expected a finite number"))
         << cell;
   }
-  EXPECT_THAT(Problem("a\n3000000000\n", [](const CsvFile& file) { file.Integer(0, 0); }),
-              HasSubstr("a whole number"));
-  EXPECT_THAT(Problem("a,b\n,1\n", [](const CsvFile& file) { file.Name(0, 0); }),
-              HasSubstr("a name"));
+  EXPECT_THAT(Problem("1,a,3000000000,0,0,0" + empty), HasSubstr("column count, expected a whole"));
+  EXPECT_THAT(Problem("1,a,0,0,0,0,1,2,3,0,0,0,,,,,\n"), HasSubstr("in column qw"));
+  EXPECT_THAT(Problem("1,a,0,0,0,0,1,2,3,0,0,0,2,,,,\n"), HasSubstr("length is not 1"));
+  EXPECT_THAT(Problem("1,a,0,0,0,0,,,,,,,,5,0,4,1\n"), HasSubstr("left > right"));
+  const std::string other = folder_.Write("t", "a,b\n");
+  EXPECT_THAT(ErrorMessage([&] { CsvFile(other, "a,c"); }),
+              HasSubstr("found \"a,b\", expected the header \"a,c\""));
+  EXPECT_THAT(ErrorMessage([&] { CsvFile(folder_.Write("t", ""), "a"); }),
+              HasSubstr("t:1: found nothing"));
 }
 
 }  // namespace

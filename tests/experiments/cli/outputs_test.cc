@@ -245,7 +245,6 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
       {"report", suite, "-o", Path("page")},
       {"plot", suite, "-o", Path("figures")},
       {"plot", run, "-o", Path("plot.svg")},
-      {"experiment", "compare", run, run},
       {"explain", Path("scene_run")}};
   const ProcessResult rendered =
       Run({"synth", "render", "tiny", "-o", Path("scene"), "-q", "--frames", "0:2"});

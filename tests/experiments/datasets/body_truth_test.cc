@@ -36,7 +36,7 @@ std::string ObjectRow(int frame, int id, const std::string& category, double x_m
 class SceneBodies : public testing::Test {
  protected:
   explicit SceneBodies(const std::string& category = "Ball") {
-    std::string times, poses, objects = StrCat(kObjectsHeader, "\n");
+    std::string times, poses, objects = StrCat(CsvHeader<SceneBody>(), "\n");
     for (int k = 0; k < kFrames; ++k) {
       times += StrCat(k, ".000000e-01\n");
       poses += StrCat("1 0 0 ", 0.1 * k, " 0 1 0 0 0 0 1 0\n");

@@ -248,7 +248,7 @@ TEST(LandmarkRows, HaveTheFeatureTheLabelsAndTheTruth) {
   EXPECT_EQ(LandmarkRows(9, frame, {landmark}, {{-1}, {4}}),
             "9,77,10.5,20,8,2,,-3,0,0.5,0,1,2,3,4,4,0,0,1.25\n");
   EXPECT_THROW(LandmarkRows(9, frame, {landmark}, {{4}}), Error);
-  EXPECT_EQ(Cells(std::string(kLandmarksHeader), ',')[0].size(), 19U);
+  EXPECT_EQ(Cells(CsvHeader<reports::LandmarkRow>() + "\n", ',')[0].size(), 19U);
 }
 
 RigidTransform At(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }

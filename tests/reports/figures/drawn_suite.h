@@ -23,7 +23,6 @@ inline reports::Column ColumnOf(const std::string& metric, const std::string& la
 
 inline reports::Cell CellOf(double value, double low, double high) {
   reports::Cell cell;
-  cell.present = true;
   cell.value = value;
   cell.interval = reports::Interval{low, high, "95 %, by hand"};
   return cell;
@@ -53,8 +52,7 @@ inline reports::SuiteData SweptSuite(const std::string& option, const std::vecto
 }
 
 // A run of frames 0 to 4 with one body, visible and estimated in all frames but 3, where it is
-// predicted. Position errors in frames 0 to 4: 1, 2, 3, 4 (predicted) and 5 cm. Cluster 7, on the
-// body, is born in frame 1.
+// predicted. Position errors in frames 0 to 4: 1, 2, 3, 4 (predicted) and 5 cm.
 inline reports::DrawnRun RunWithBody(const std::string& variant, const std::string& body_name) {
   reports::DrawnRun run;
   run.sequence = "room";
@@ -79,13 +77,6 @@ inline reports::DrawnRun RunWithBody(const std::string& variant, const std::stri
     if (frame != 3) body.visible.push_back(frame);
   }
   run.detail.bodies = {body};
-  reports::ClusterRow cluster;
-  cluster.frame = 1;
-  cluster.id = 7;
-  run.detail.clusters = {cluster};
-  run.detail.timing.stages = {{"extract", {20.0, 20.0, 30.0}}, {"track", {2.0, 2.0, 3.0}}};
-  run.detail.timing.cpu = "one of 3 GHz";
-  run.detail.timing.host = "here";
   run.switches = {{2, 2, 5, 7}};
   return run;
 }

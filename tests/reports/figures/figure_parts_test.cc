@@ -55,16 +55,6 @@ TEST(FigureTexts, RelationTextSummarisesTheContract) {
             "object ATE and object T.RPE: aligned by SE(3) over positions");
 }
 
-TEST(Palette, AVariantLooksTheSameInEverySuite) {
-  const Palette alone({"2d"});
-  const Palette among({"mine", "full", "2d", "yours"});
-  EXPECT_EQ(alone.Line("2d").colour, among.Line("2d").colour);
-  EXPECT_EQ(alone.Points("2d").symbol, among.Points("2d").symbol);
-  EXPECT_NE(among.Line("mine").colour, among.Line("full").colour);
-  EXPECT_NE(among.Line("mine").colour, among.Line("2d").colour);
-  EXPECT_NE(among.Line("mine").colour, among.Line("yours").colour);
-}
-
 TEST(Palette, RepeatedColoursAreDashed) {
   std::vector<std::string> names;
   for (int i = 0; i < 12; ++i) names.push_back("variant " + std::to_string(i));

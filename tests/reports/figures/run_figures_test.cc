@@ -3,7 +3,7 @@
 // Figures about what single runs estimate frame by frame.
 #include <gmock/gmock.h>
 
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite_figures.h"
 #include "tests/reports/figures/drawn_suite.h"
 
 namespace cvo::reports {
@@ -57,11 +57,8 @@ TEST(ErrorOverTime, DrawsEstimatedAndPredictedErrorsPerBody) {
   EXPECT_EQ(figure.chart.panels[0].x.title, "frame");
 }
 
-TEST(ErrorOverTime, MarksBirthsSwitchesAndHiddenFrames) {
+TEST(ErrorOverTime, MarksSwitchesAndHiddenFrames) {
   const Figure figure = Drawn(AddErrorOverTime, DrawnSuite({"full"})).figures.at(0);
-  const Series birth = SeriesLike(figure.chart, Symbol::kOpenTriangle, 0).at(0);
-  EXPECT_THAT(XsOf(birth), ElementsAre(1));
-  EXPECT_THAT(YsOf(birth), ElementsAre(2.0));
   const Series change = SeriesLike(figure.chart, Symbol::kCross, 0).at(0);
   EXPECT_THAT(XsOf(change), ElementsAre(2));
   EXPECT_THAT(YsOf(change), ElementsAre(3.0));
@@ -70,7 +67,7 @@ TEST(ErrorOverTime, MarksBirthsSwitchesAndHiddenFrames) {
   EXPECT_EQ(shades[0].low, 2.5);
   EXPECT_EQ(shades[0].high, 3.5);
   const std::string svg = ChartSvg(figure.chart);
-  for (const char* entry : {">full<", ">predicted<", ">cluster begins<", ">identity switch<"}) {
+  for (const char* entry : {">full<", ">predicted<", ">identity switch<"}) {
     EXPECT_THAT(svg, HasSubstr(entry));
   }
   EXPECT_THAT(figure.caption, HasSubstr("Shaded: the body is not visible"));
@@ -138,81 +135,6 @@ TEST(Trajectories, ADriftingEstimateDoesNotChangeTheScale) {
   data.drawn[0].detail.bodies.clear();
   EXPECT_THAT(Drawn(AddTrajectories, data).not_drawn,
               ElementsAre("Trajectories on room: no poses."));
-}
-
-TEST(StageTimes, AreBarsWithTheMachineInTheCaption) {
-  const SuiteFigures drawn = Drawn(AddStageTimes, DrawnSuite({"full", "2d"}));
-  ASSERT_THAT(drawn.figures, SizeIs(1));
-  const Figure& figure = drawn.figures[0];
-  const auto front_end = SeriesNamed(figure.chart, "front end, all variants");
-  ASSERT_THAT(front_end, SizeIs(1));
-  EXPECT_THAT(XsOf(front_end[0]), ElementsAre(20.0));
-  EXPECT_EQ(front_end[0].data[0].x_interval.value().high, 30.0);
-  EXPECT_THAT(XsOf(SeriesNamed(figure.chart, "full").at(0)), ElementsAre(2.0));
-  EXPECT_THAT(figure.chart.panels.at(1).y.categories, ElementsAre("track"));
-  EXPECT_TRUE(figure.chart.share_x) << "one axis for both panels";
-  EXPECT_EQ(figure.chart.panels[1].x.title, "time per frame (ms)");
-  EXPECT_THAT(figure.caption, HasSubstr("Measured on one of 3 GHz (here)."));
-}
-
-TEST(StageTimes, UseRunsThatComputeFeaturesOnlyAsAFallback) {
-  SuiteData data = DrawnSuite({"full", "2d", "2d"});
-  data.drawn[1].detail.timing.stages = {{"track", {4.0, 4.0, 5.0}}, {"frame", {9.0, 9.0, 9.0}}};
-  const Figure figure = Drawn(AddStageTimes, data).figures.at(0);
-  EXPECT_THAT(XsOf(SeriesNamed(figure.chart, "2d").at(0)), ElementsAre(4.0));
-  EXPECT_THAT(figure.caption, HasSubstr("Pale: runs that computed features"));
-  EXPECT_EQ(SeriesNamed(figure.chart, "full").at(0).look.opacity, 0.35);
-  EXPECT_THAT(figure.chart.panels.back().y.categories, ElementsAre("track"));
-}
-
-TEST(StageTimes, DoNotMixMachines) {
-  SuiteData data = DrawnSuite({"full", "2d", "2d3d"});
-  data.drawn[1].detail.timing.host = "there";
-  const Figure figure = Drawn(AddStageTimes, data).figures.at(0);
-  EXPECT_THAT(SeriesNamed(figure.chart, "2d"), IsEmpty());
-  EXPECT_THAT(figure.caption, HasSubstr("1 run of other machines"));
-  for (DrawnRun& run : data.drawn) run.detail.timing.stages.clear();
-  EXPECT_THAT(Drawn(AddStageTimes, data).not_drawn, ElementsAre(HasSubstr("timing.json")));
-}
-
-// Frames 10 to 13; the first has no estimate. Of the variants, only `full` estimates anything.
-SuiteData Calibrated() {
-  SuiteData data = DrawnSuite({"clustervo", "full"});
-  for (DrawnRun& run : data.drawn) {
-    std::vector<CameraFrame>& frames = run.detail.camera;
-    frames.assign(4, CameraFrame());
-    for (int i = 0; i < 4; ++i) {
-      frames[i].frame = 10 + i;
-      if (i == 0 || run.variant != "full") continue;
-      frames[i].calibration = CalibrationState{{0.1 * i, 9.0}, {0.04, 9.0}};
-    }
-  }
-  return data;
-}
-
-TEST(CalibrationFigure, ShowsTheMeanWithItsDeviation) {
-  const Figure figure = Drawn(AddCalibration, Calibrated()).figures.at(0);
-  const Series line = SeriesNamed(figure.chart, "full").at(0);
-  EXPECT_THAT(XsOf(line), ElementsAre(11, 12, 13));
-  EXPECT_THAT(YsOf(line), Pointwise(DoubleEq(), {0.1, 0.2, 0.1 * 3}));
-  EXPECT_NEAR(line.data[0].y_interval->low, 0.06, 1e-12);
-  EXPECT_NEAR(line.data[0].y_interval->high, 0.14, 1e-12);
-  EXPECT_EQ(line.tip, "full: 0.3 ± 0.04 px in the last frame");
-  EXPECT_EQ(figure.chart.panels[0].series[0].kind, SeriesKind::kBand);
-  EXPECT_EQ(figure.chart.panels[0].title, "room");
-  EXPECT_THAT(SeriesNamed(figure.chart, "clustervo"), IsEmpty());
-  EXPECT_THAT(Drawn(AddCalibration, DrawnSuite({"clustervo"})).figures, IsEmpty());
-}
-
-TEST(CalibrationFigure, SaysHowManySequencesAreLeftOut) {
-  SuiteData data = Calibrated();
-  const DrawnRun run = data.drawn.back();
-  for (int i = 0; i < 7; ++i) {
-    data.drawn.push_back(run);
-    data.drawn.back().sequence = "room_" + std::to_string(i);
-  }
-  EXPECT_THAT(Drawn(AddCalibration, data).figures.at(0).caption,
-              HasSubstr("Only the first 6 of 8 sequences are shown."));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // Figures about the values of the table over those of an option.
 #include <gmock/gmock.h>
 
-#include "reports/figures/suite_parts.h"
+#include "reports/figures/suite_figures.h"
 #include "tests/reports/figures/drawn_suite.h"
 
 namespace cvo::reports {

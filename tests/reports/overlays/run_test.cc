@@ -20,13 +20,12 @@ using testing::IsEmpty;
 // the right, 2 m in front of the camera.
 struct OverlayFiles {
   test::RunFiles files;
-  std::string landmarks =
-      "frame,id,u_px,v_px,u_right_px,cluster,inferred,confidence,energy_2d,energy_3d,"
-      "energy_motion,x,y,z,truth_body\n"
-      "10,1,20.5,30,10,0,7,1,0,0,0,0,0,0,0\n"
-      "10,2,40,50,30,7,,1,0,0,0,0,0,0,3\n"
-      "10,3,60,70,50,,0,1,0,0,0,0,0,0,\n"
-      "11,2,41,50,31,7,7,1,0,0,0,0,0,0,3\n";
+  std::string landmarks = CsvHeader<LandmarkRow>() +
+                          "\n"
+                          "10,1,20.5,30,10,0,7,1,0,0,0,0,0,0,0,,0,0,0\n"
+                          "10,2,40,50,30,7,,1,0,0,0,0,0,0,3,,0,0,0\n"
+                          "10,3,60,70,50,,0,1,0,0,0,0,0,0,,,0,0,0\n"
+                          "11,2,41,50,31,7,7,1,0,0,0,0,0,0,3,,0,0,0\n";
   OverlayFiles() {
     files.result["job"] = "a";
     files.result["status"] = "ok";
@@ -144,10 +143,11 @@ TEST(OverlayRun, ReportsTruncatedFiles) {
                                                       HasSubstr("\"x40\" in column u_px"))));
   files = {};
   files.landmarks += "11,2\n";
-  EXPECT_THAT(files.Read().missing, ElementsAre(HasSubstr(":6: found 2 cells, expected 15")));
+  EXPECT_THAT(files.Read().missing, ElementsAre(HasSubstr(":6: found 2 cells, expected 19")));
   files = {};
   files.landmarks = "frame,id\n";
-  EXPECT_THAT(files.Read().missing, ElementsAre(HasSubstr("no column u_px")));
+  EXPECT_THAT(files.Read().missing,
+              ElementsAre(HasSubstr("found \"frame,id\", expected the header \"frame,id,u_px,")));
   files = {};
   files.files.objects.resize(files.files.objects.size() - 4);
   const OverlayRun run = files.Read();
@@ -179,7 +179,7 @@ TEST(OverlayRun, RefusesAMissingFrame) {
               AllOf(HasSubstr("frame 99"), HasSubstr("expected 10 to 14")));
 }
 
-OverlayRun RunWithLabels(const std::vector<LandmarkRow>& dots) {
+OverlayRun RunWithLabels(const std::vector<LabelledLandmark>& dots) {
   OverlayRun run;
   run.landmarks[0] = dots;
   BodyDetail still;
@@ -203,7 +203,7 @@ TEST(MarkWrongLabels, ComparesWithTheMajorityBodyOfTheCluster) {
                                   {9, 1, 2, -1}});  // truth unknown
   MarkWrongLabels(run);
   std::vector<bool> wrong;
-  for (const LandmarkRow& dot : run.landmarks[0]) wrong.push_back(dot.wrong);
+  for (const LabelledLandmark& dot : run.landmarks[0]) wrong.push_back(dot.wrong);
   EXPECT_THAT(wrong, ElementsAre(false, false, true, true, true, false, false, true, false));
   EXPECT_TRUE(run.has_truth);
 }

@@ -61,39 +61,24 @@ TEST(RunDetail, NumbersTheFramesOfBodiesAsInTheSequence) {
   EXPECT_NEAR(body.predicted[0].error_m, 2.0, 1e-12);
 }
 
-TEST(RunDetail, UsesTheExtentOfLandmarksWithoutBoxes) {
-  test::RunFiles files;
-  const auto remove = [&](const std::string& part) {
-    const std::size_t at = files.objects.find(part);
-    ASSERT_NE(at, std::string::npos);
-    files.objects.erase(at, part.size());
-  };
-  remove("box_x,box_y,box_z,box_qx,box_qy,box_qz,box_qw,length_m,height_m,width_m,");
-  remove("7,7,7,0,1,0,0,4,1.5,2,");
-  remove("7,7,7,0,1,0,0,4,1.5,2,");
-  const RunDetail detail = Read(files);
-  EXPECT_THAT(detail.missing, IsEmpty());
-  ASSERT_EQ(detail.clusters.size(), 2U);
-  EXPECT_THAT(detail.clusters[0].object_from_box, ElementsAre(4, 5, 6, 0, 0, 0, 1));
-  EXPECT_THAT(detail.clusters[0].size_m, ElementsAre(0.8, 1.0, 1.2));
-}
-
 TEST(RunDetail, PrefersTheRefinedStateOfAClusterToTheCausalOne) {
   const RunDetail detail = Read({});
   ASSERT_EQ(detail.clusters.size(), 2U);
-  const ClusterRow& refined = detail.clusters[0];
+  const ObjectRow& refined = detail.clusters[0];
   EXPECT_EQ(refined.id, 7);
   EXPECT_EQ(refined.category, "car");
-  EXPECT_FALSE(refined.predicted);
+  EXPECT_FALSE(refined.predicted());
   EXPECT_EQ(refined.observed_landmarks, 20);
-  EXPECT_THAT(refined.world_from_object, ElementsAre(1, 2, 3, 0, 0, 0, 1));
-  EXPECT_THAT(refined.velocity_m_s, ElementsAre(0.1, 0.2, 0.3));
-  EXPECT_THAT(refined.object_from_box, ElementsAre(7, 7, 7, 0, 1, 0, 0));
-  EXPECT_THAT(refined.size_m, ElementsAre(4, 1.5, 2));
-  const ClusterRow& then = detail.clusters[1];
-  EXPECT_TRUE(then.predicted);
-  EXPECT_THAT(then.world_from_object, ElementsAre(7, 8, 9, 0, 0, 0, 1));
-  EXPECT_THAT(then.velocity_m_s, ElementsAre(0.7, 0.8, 0.9));
+  EXPECT_EQ(refined.WorldFromObject().translation(), Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(refined.object_from_box.translation(), Eigen::Vector3d(7, 7, 7));
+  EXPECT_EQ(refined.object_from_box.rotation().y(), 1.0);
+  EXPECT_EQ(refined.size_m, Eigen::Vector3d(4, 1.5, 2));
+  const ObjectRow& then = detail.clusters[1];
+  EXPECT_TRUE(then.predicted());
+  EXPECT_EQ(then.WorldFromObject().translation(), Eigen::Vector3d(7, 8, 9));
+  // What is read is written as it was.
+  EXPECT_EQ(CsvHeader<ObjectRow>() + "\n" + CsvLine(refined) + CsvLine(then),
+            test::RunFiles().objects);
 }
 
 TEST(RunDetail, ReadsTimesAndMachine) {
@@ -223,13 +208,16 @@ TEST(IdentitySwitches, AreWhereAnotherClusterHasMostLandmarks) {
 TEST(Landmarks, ADamagedFileIsAnError) {
   const test::TempFolder folder;
   const auto message = [&](const std::string& rows) {
-    folder.Write("landmarks.csv", "frame,u_px,v_px,cluster,truth_body\n" + rows);
+    folder.Write("landmarks.csv", CsvHeader<LandmarkRow>() + "\n" + rows);
     return ErrorMessage(
         [&] { ReadLandmarks(folder.path() / "landmarks.csv", LandmarkLabel::kCluster); });
   };
   EXPECT_THAT(message("1,1,1,7"), HasSubstr("whole lines"));
   EXPECT_THAT(message("1,1,1,7\n"), AllOf(HasSubstr("landmarks.csv:2"), HasSubstr("4 cells")));
-  EXPECT_THAT(message("1,1,1,x,2\n"), HasSubstr("column cluster"));
+  const std::string rest = ",,1,0,0,0,0,0,0,2,,0,0,0\n";
+  EXPECT_EQ(message("1,1,1,1,1,7" + rest), "");
+  EXPECT_THAT(message("1,1,1,1,1,x" + rest), HasSubstr("\"x\" in column cluster"));
+  EXPECT_THAT(message("1,1,1,,1,7" + rest), HasSubstr("\"\" in column v_px"));
 }
 
 }  // namespace

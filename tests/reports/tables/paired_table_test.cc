@@ -57,7 +57,6 @@ TEST(PairedTable, BodiesAreComparedOnFramesThatBothEstimate) {
   ASSERT_TRUE(ate);
   EXPECT_NEAR(ate->value, 0.03, 1e-12);
   EXPECT_NEAR(ate->reference_value, 0.01, 1e-12);
-  EXPECT_NEAR(*ate->reference_lower, 200.0 / 3.0, 1e-9);
   EXPECT_EQ(ate->pairing, "object-frames that both estimate");
   EXPECT_FALSE(ate->interval) << "one body";
   // Success counts every visible frame: 2 of 3 in both variants.
@@ -99,14 +98,12 @@ TEST(PairedTable, MarksDistinguishableDifferences) {
   EXPECT_EQ(ate.difference->interval->meaning,
             "95 %, bootstrap over 8 bodies of one scene: says nothing about other scenes");
   EXPECT_FALSE(CellOf(table, 1, "object_coverage").difference->distinguishable);
-  EXPECT_THAT(TableText(table, false), AllOf(HasSubstr("0.0745*"), HasSubstr("+0.0200*"),
-                                             HasSubstr("difference from full (paired): value, 95 % "
-                                                       "interval, and percent of full")));
+  EXPECT_THAT(TableText(table), AllOf(HasSubstr("0.0745*"), HasSubstr("+0.0200*"),
+                                      HasSubstr("difference from full (paired): value, 95 % "
+                                                "interval, and percent of full")));
   const Json json = Json::parse(TableJson(table));
-  const Json& cell = json["rows"][1]["cells"][2];
-  ASSERT_EQ(cell["metric"], "object_coverage");
-  EXPECT_FALSE(cell["difference"]["distinguishable"].get<bool>());
-  EXPECT_EQ(json["schema_version"], 3);
+  ASSERT_EQ(json["columns"][2]["metric"], "object_coverage");
+  EXPECT_FALSE(json["rows"][1]["cells"][2]["difference"]["distinguishable"].get<bool>());
   EXPECT_EQ(TableJson(table), TableJson(MakeTable(suite.Written(), {}, "")));
 }
 
@@ -137,7 +134,7 @@ TEST(PairedTable, ResamplesScenesAndCorrectsForManyComparisons) {
   EXPECT_TRUE(ate->distinguishable);
   EXPECT_GE(ate->scenes_for_10_percent.value_or(0), 2U);
   EXPECT_EQ(table.rows[0].split, "test");
-  const std::string text = TableText(table, false);
+  const std::string text = TableText(table);
   EXPECT_THAT(text, HasSubstr("variant  split  runs"));
   EXPECT_THAT(text, HasSubstr("comparisons of this table (Holm), is below 0.05"));
   EXPECT_THAT(text, HasSubstr("scenes needed to detect a difference of 10 % (80 % power, "));
@@ -193,9 +190,7 @@ TEST(CompareFolders, ReportsChangesAndTheirSize) {
   const auto ate = CellOf(table, 0, "object_ate").difference;
   EXPECT_NEAR(ate->difference, -0.02, 1e-12);
   EXPECT_NEAR(*ate->percent, -100.0 * 0.02 / 0.0745, 1e-9);
-  EXPECT_EQ(MovedText(table),
-            "changed, distinguishable from noise:\n"
-            "  room full, object_ate: -0.02 m (-26.85 %), -0.02 to -0.02, 8 pairs\n");
+  EXPECT_EQ(MovedText(table), "1 of 4 values changed, 1 distinguishable from noise (*)\n");
 }
 
 TEST(CompareFolders, StatesOptionsAndBuildsThatDiffer) {
@@ -206,15 +201,9 @@ TEST(CompareFolders, StatesOptionsAndBuildsThatDiffer) {
   fewer["options"]["orb"]["features"] = 800;
   after.Add(fewer, "full");
   EXPECT_EQ(CompareFolders(before.Written(), after.Written()).about,
-            "The two folders differ: options orb.features 2000 -> 800.");
+            "The two folders differ: option orb.features 2000 -> 800.");
   EXPECT_EQ(CompareFolders(before.Written(), before.Written()).about,
             "The two folders have the same options, builds and variants.");
-}
-
-TEST(CompareFolders, EqualFoldersHaveNoChanges) {
-  SuiteResults before;
-  before.Add(Room(0.0), "full");
-  EXPECT_EQ(MovedText(CompareFolders(before.Written(), before.Written())), "nothing changed\n");
 }
 
 TEST(CompareFolders, OtherContractsAreRefusedNamingTheMetricAndBothFiles) {
@@ -310,16 +299,6 @@ TEST_F(TableNotesTest, ReportsCorrectedCalibrations) {
   suite_.Add(corrected);
   suite_.Add(Result("2011_09_26_drive_0013", 72));
   EXPECT_THAT(Make().notes, ElementsAre(AllOf(HasSubstr("drive_0001"), HasSubstr("0.16 px"))));
-}
-
-TEST_F(TableNotesTest, SaysWhatSelfCalibrationFoundOnRecordings) {
-  Json result = Result();
-  result["calibration"] = {{"right_field_px", {0.291, 0.3, 0.0, 0.9, 0.0, 0.0}},
-                           {"sigma_px", {0.021, 0.1, 0.1, 0.1, 0.1, 0.1}}};
-  suite_.Add(result);
-  suite_.Add(Result("2011_09_26_drive_0013", 72))["calibration"] = nullptr;
-  EXPECT_THAT(Make().notes, ElementsAre(AllOf(HasSubstr("drive_0001: calibration error found"),
-                                              HasSubstr("0.29 +- 0.02"))));
 }
 
 TEST_F(TableNotesTest, CpuLevelsAreNoted) {

@@ -219,60 +219,6 @@ TEST(JsonRecord, ErrorsNameTheField) {
   EXPECT_EQ(Problem("{\"x\":1.5}", "[]"), "f, values: found a JSON array, expected an object");
 }
 
-// A row of a table in which the columns determine the type of the cells.
-struct Cell {
-  bool known = false;
-  double value = 0.0;
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive, const std::string& column) {
-    archive.Constant("column", column);
-    archive.Flag("status", self.known, "missing", "ok");
-    if (archive.Has("value", self.known)) archive.Field("value", self.value);
-  }
-};
-
-struct Row {
-  std::vector<std::string> columns;
-  std::vector<std::string> keys;
-  std::vector<Cell> cells;
-  std::string note;
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("columns", self.columns);
-    archive.Named("keys", self.keys, self.columns);
-    archive.Each("cells", self.cells, self.columns);
-    archive.Added("note", self.note);
-  }
-};
-
-constexpr const char* kRow = R"({"columns":["a","b"],"keys":{"a":"x","b":"y"},)"
-                             R"("cells":[{"column":"a","status":"missing"},)"
-                             R"({"column":"b","status":"ok","value":2.5}],"note":""})";
-
-TEST(JsonRecord, FieldsMayDependOnOthers) {
-  const auto read = [](const std::string& text) {
-    return FromJson<Row>(ParseJson(text, "f"), "f");
-  };
-  const auto problem = [&](const std::string& from, const std::string& to) {
-    std::string text = kRow;
-    return ErrorMessage([&] { read(text.replace(text.find(from), from.size(), to)); });
-  };
-  const Row row = read(kRow);
-  EXPECT_EQ(row.keys, (std::vector<std::string>{"x", "y"}));
-  EXPECT_FALSE(row.cells[0].known);
-  EXPECT_EQ(row.cells[1].value, 2.5);
-  EXPECT_EQ(ToJson(row).dump(), kRow);
-  EXPECT_EQ(problem(R"(,"note":"")", ""), "") << "of an older file";
-  EXPECT_EQ(problem(R"("column":"b")", R"("column":"c")"),
-            "f, cells[1], field column: found \"c\", expected \"b\"");
-  EXPECT_EQ(problem("missing", "gone"),
-            "f, cells[0], field status: found \"gone\", expected one of \"missing\", \"ok\"");
-  EXPECT_EQ(problem(R"(,"b":"y")", ""), "f, keys, field b: found nothing, expected a value");
-  EXPECT_EQ(problem(R"(["a","b"])", R"(["a"])"), "f, cells: found 2 elements, expected 1");
-}
-
 TEST(Base64, MatchesTheVectorsOfRfc4648) {
   EXPECT_EQ(Base64(""), "");
   EXPECT_EQ(Base64("f"), "Zg==");
