@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/runner/run_tables.h"
-
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +13,7 @@
 #include "core/files/text/number.h"
 #include "core/geometry/rigid_transform.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/runner/run_files.h"
 
 namespace cvo {
 
@@ -109,7 +108,7 @@ void AddPose(const ClusterReport* report, TableRow& row) {
 
 }  // namespace
 
-void WriteObjectTable(const Sequence& sequence, const RunResult& run, const TextSink& sink) {
+void WriteObjectTable(const RunResult& run, const TextSink& sink) {
   sink(kObjectTableHeader);
   ForEachLiveCluster(run, [&](const LiveCluster& cluster) {
     const ClusterReport& report = cluster.Last();
@@ -125,7 +124,7 @@ void WriteObjectTable(const Sequence& sequence, const RunResult& run, const Text
     row.Vector(report.half_size_m);
     row.Pose(report.box.object_from_box);
     row.Vector(report.box.size_m);
-    row.Box(ProjectedBox(cluster, sequence.camera));
+    row.Box(ProjectedBox(cluster, run.sequence.camera));
     row.Integer(report.observed_landmarks);
     report.detection < 0 ? row.Empty(1) : row.Integer(report.detection);
     row.Number(report.score);
@@ -149,13 +148,7 @@ namespace {
 constexpr int kDecimalsPixels = 2;
 constexpr int kDecimals = 3;  // m, nats
 
-void Label(ClusterId id, TableRow& row) {
-  if (id.valid()) {
-    row.Integer(id.value);
-  } else {
-    row.Empty(1);
-  }
-}
+void Label(ClusterId id, TableRow& row) { id.valid() ? row.Integer(id.value) : row.Empty(1); }
 
 }  // namespace
 
@@ -220,10 +213,9 @@ std::optional<ImageBox> Box2d(const LiveCluster& cluster, const StereoCamera& ca
 
 }  // namespace
 
-void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
-                     const std::function<void(const ObjectBox&)>& take) {
+void ForEachTrackBox(const RunResult& run, const std::function<void(const ObjectBox&)>& take) {
   ForEachLiveCluster(run, [&](const LiveCluster& cluster) {
-    const std::optional<ImageBox> box2d = Box2d(cluster, sequence.camera);
+    const std::optional<ImageBox> box2d = Box2d(cluster, run.sequence.camera);
     if (!box2d) return;
     ObjectBox box;
     box.frame = cluster.frame.frame;
@@ -233,14 +225,14 @@ void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
     box.top_px = box2d->top_px;
     box.right_px = box2d->right_px;
     box.bottom_px = box2d->bottom_px;
-    box.box3d = UprightBox(cluster, sequence.left_offset_m);
+    box.box3d = UprightBox(cluster, run.sequence.left_offset_m);
     box.score = cluster.Last().score;
     take(box);
   });
 }
 
-void WriteKittiTracks(const Sequence& sequence, const RunResult& run, const TextSink& sink) {
-  ForEachTrackBox(sequence, run, [&sink](const ObjectBox& box) {
+void WriteKittiTracks(const RunResult& run, const TextSink& sink) {
+  ForEachTrackBox(run, [&sink](const ObjectBox& box) {
     const ObjectBox::Box3d& box3d = *box.box3d;
     const Eigen::Vector3d& bottom = box3d.bottom_in_camera;
     TableRow row(' ');

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <limits>
 #include <memory>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -105,40 +104,25 @@ PlotContent ReadContent(const PlotFlags& flags) {
 std::string TitleOf(const PlotContent& content) {
   const std::optional<PlotReference>& reference = content.reference;
   if (!reference) return "Trajectory of " + content.inputs.front().name + ". No ground truth";
-  const TrajectoryAlignment alignment = content.matching.alignment;
-  std::string title = StrCat(content.inputs.size() > 1 ? "Trajectories" : "Trajectory", " against ",
-                             reference->name, ". ", reports::Capitalised(DescriptionOf(alignment)));
-  if (alignment == TrajectoryAlignment::kNone && reference->of_run) {
-    title += " here (the truth is in the world of its run, aligned by the camera)";
-  }
-  if (!content.inputs.front().timed) return title + "; poses matched by line number";
-  return StrCat(title, "; poses matched within ",
-                1e-9 * static_cast<double>(content.matching.tolerance_ns), " s");
+  const std::string title =
+      StrCat("Trajectories against ", reference->name, ". ",
+             reports::Capitalised(DescriptionOf(content.matching.alignment)), "; poses matched ");
+  if (!content.inputs.front().timed) return title + "by line number";
+  return StrCat(title, "within ", Seconds(content.matching.tolerance_ns), " s");
 }
 
-std::string CaptionOf(const PlotContent& content, bool bodies) {
-  const std::optional<PlotReference>& reference = content.reference;
-  const TrajectoryAlignment alignment = content.matching.alignment;
-  std::string caption = reference && reference->is_truth ? "Grey: truth. " : "";
-  caption += StrCat("Dot: start. The map is seen from above, with ",
-                    content.matching.z_up ? "z up" : "y down", "; both its axes have one scale.");
-  if (reference && !reference->is_truth) {
-    caption += StrCat(" Distances are from ", reference->name, ", which is not ground truth.");
-  }
-  if (reference &&
-      (alignment == TrajectoryAlignment::kSe3 || alignment == TrajectoryAlignment::kSim3)) {
-    caption += " For rotation errors, orientations are aligned by their own mean.";
-  }
-  if (bodies) {
+std::string CaptionOf(const PlotContent& content) {
+  std::string caption = StrCat(
+      "Grey: truth. Dot: start. The map is seen from above, with ",
+      content.matching.z_up ? "z up" : "y down",
+      "; both its axes have one scale. Thin: moving bodies where their estimate counts, with "
+      "the truth aligned by the camera. For rotation errors, orientations are aligned by "
+      "their own mean.");
+  if (content.reference && !content.reference->is_truth) {
     caption +=
-        " Thin: moving bodies where their estimate counts, with the truth aligned by the "
-        "orientations of the camera.";
+        StrCat(" Distances are from ", content.reference->name, ", which is no ground truth.");
   }
   return caption;
-}
-
-double MeanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 void PrintSummary(const std::vector<PlotTrack>& tracks) {
@@ -272,7 +256,7 @@ reports::Figure FigureOf(const PlotContent& content) {
   for (const reports::BodyDetail& body : content.inputs.front().bodies) {
     if (bodies) AddBody(body, palette.Line(names.front()), axes, panels[0]);
   }
-  reports::Figure figure{"", TitleOf(content), CaptionOf(content, bodies), {}};
+  reports::Figure figure{"", TitleOf(content), CaptionOf(content), {}};
   figure.chart.panels = std::move(panels);
   figure.chart.share_x = true;
   return figure;
@@ -305,7 +289,6 @@ int Plot(const CLI::App& app, const PlotFlags& flags) {
       [](const std::string& input) { return fs::exists(fs::path(input) / "plan.json"); });
   if (suite == flags.inputs.end()) {
     RefuseFlags(app, {"--format", "--only"}, "applies to a suite");
-    for (const std::string& input : flags.inputs) CheckNoCollection(input);
     return DrawPlot(flags);
   }
   if (flags.inputs.size() > 1) {

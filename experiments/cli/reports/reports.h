@@ -42,8 +42,7 @@ std::string DefaultOptions();
 
 struct ReportFlags {
   std::string folder;
-  std::vector<std::string> runs = {};  // on one sequence, instead of a suite's folder
-  std::string out = {};                // empty: the subfolder "report"
+  std::string out = {};  // empty: the subfolder "report"
   std::string against = {};
   int every = 0;
   bool no_images = false;
@@ -109,8 +108,7 @@ class RunImages {
 };
 
 // Opens the sequence of a run, in `folder` or, if that is empty, where the run found it, with the
-// detections that the run was given: those of the file that the run read, of a detector level of
-// the scene or of the labels, whichever has the hash in the result. Empty if none of them has.
+// detections that the run was given. Empty if they are no longer where the run read them.
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run);
 
 // Returns the detections of these classes, by frame. Boxes of another camera stay where they were
