@@ -27,7 +27,6 @@ using reports::RunComparison;
 
 struct CompareFlags {
   std::vector<std::string> folders;
-  bool all = false;
   bool json = false;
   TableFormat format;
 };
@@ -75,7 +74,8 @@ void PrintOptions(const RunComparison& comparison) {
   }
 }
 
-void PrintMetricsOf(const RunComparison& comparison, bool all) {
+// Prints the refined metrics of moving bodies; --json contains all of them.
+void PrintMetricsOf(const RunComparison& comparison) {
   std::vector<std::string> header = {"metric", "unit"};
   for (const reports::ComparedRun& run : comparison.runs) header.push_back(run.name);
   header.emplace_back(comparison.runs.size() == 2 ? "difference" : "note");
@@ -83,7 +83,7 @@ void PrintMetricsOf(const RunComparison& comparison, bool all) {
   for (const reports::ComparedMetric& metric : comparison.metrics) {
     const auto form = reports::FindForm(metric.name);
     const bool main_form = form && !form->causal && form->bodies == reports::BodyGroup::kMovers;
-    if (!all && !main_form) continue;
+    if (!main_form) continue;
     std::vector<std::string> row = {metric.name, metric.unit};
     for (const auto& value : metric.values) row.push_back(value ? ReadableNumber(*value) : "-");
     row.emplace_back();
@@ -132,10 +132,10 @@ void PrintPaired(const std::vector<PairedComparison>& list, const std::string& h
   table.Print(std::cout);
 }
 
-void PrintComparison(const RunComparison& comparison, bool all) {
+void PrintComparison(const RunComparison& comparison) {
   PrintRuns(comparison);
   PrintOptions(comparison);
-  PrintMetricsOf(comparison, all);
+  PrintMetricsOf(comparison);
   const bool several = comparison.runs.size() > 2;
   const std::string value = several ? "run" : comparison.runs.back().name;
   const std::string& first = comparison.runs.front().name;
@@ -164,7 +164,7 @@ int CompareSomeRuns(const CompareFlags& flags) {
   if (flags.json) {
     std::cout << FileText(comparison);
   } else {
-    PrintComparison(comparison, flags.all);
+    PrintComparison(comparison);
   }
   return 0;
 }
@@ -197,7 +197,7 @@ int Compare(const CLI::App& app, const CompareFlags& flags) {
                             ", expected that of a ", suites ? "suite" : "run", ", as ", first));
   }
   if (suites) {
-    RefuseFlags(app, {"--all", "--json"}, "applies to runs, found suites");
+    RefuseFlags(app, {"--json"}, "applies to runs, found suites");
     return CompareTwoSuites(flags);
   }
   RefuseFlags(app, {"--format", "--output", "--long"}, "applies to suites, found runs");
@@ -217,8 +217,6 @@ Command AddExperimentCompareCommand(CLI::App& experiment) {
       "or eval, or DIR/jobs/ID of a suite), the first of which is the reference")
       ->required()
       ->expected(-2);
-  app->add_flag("--all", flags->all,
-                "runs: also print causal metrics and the metrics of static bodies");
   app->add_flag("--json", flags->json, "runs: print JSON, with all metrics, pairs and intervals");
   flags->format.AddTo(*app);
   for (const char* flag : {"--format", "--output", "--long"}) {

@@ -143,7 +143,7 @@ PlotInput ReadRunInput(const std::string& path) {
   }
   const reports::RunSummary run = reports::ReadRun(result, {});
   reports::RunDetail detail = reports::ReadRunDetail(path);
-  PlotInput input{path, run.variant, run.sequence.name, {}, true, true, {}, {}};
+  PlotInput input{path, run.variant, run.sequence.name, {}, true, {}, {}};
   for (const reports::CameraFrame& frame : detail.camera) {
     if (frame.truth) input.truth.push_back({frame.timestamp_ns, TransformOf(*frame.truth)});
     if (frame.status == "skipped") continue;
@@ -168,7 +168,6 @@ PlotInput ReadPlotInput(const std::string& path) {
       input.poses = ReadEurocPoses(path);
     } else {
       input.timed = DetectPoseFormat(path) == "tum";
-      input.camera_axes = !input.timed;
       input.poses = input.timed ? ReadTumTrajectory(path) : ReadKittiTrajectory(path);
     }
   }

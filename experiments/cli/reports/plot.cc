@@ -28,7 +28,7 @@ struct PlotFlags {
   std::vector<std::string> inputs;
   std::string groundtruth;
   std::string align;
-  std::string up;
+  std::string up = "y";
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   SuiteFigureFlags suite;  // output and style: also of trajectories
 };
@@ -46,27 +46,6 @@ struct Axes {
   std::size_t ahead = 2;  // the axis that is vertical on the map
   double first_s = 0.0;
 };
-
-double ExtentAlong(Eigen::Index axis, const Trajectory& poses) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const TimedPose& pose : poses) {
-    low = std::min(low, pose.world_from_camera.translation()[axis]);
-    high = std::max(high, pose.world_from_camera.translation()[axis]);
-  }
-  return high - low;
-}
-
-// Runs and KITTI files have y down. For others, the vertical is the axis, y or z, along which they
-// extend less.
-bool HasZUp(const std::string& up, const PlotContent& content) {
-  if (!up.empty()) return up == "z";
-  const bool cameras = std::any_of(content.inputs.begin(), content.inputs.end(),
-                                   [](const PlotInput& input) { return input.camera_axes; });
-  const Trajectory& shown =
-      content.reference ? content.reference->poses : content.inputs.front().poses;
-  return !cameras && ExtentAlong(1, shown) > ExtentAlong(2, shown);
-}
 
 TrajectoryAlignment AlignmentOf(const std::string& align, const PlotContent& content) {
   const std::optional<PlotReference>& reference = content.reference;
@@ -89,7 +68,7 @@ PlotContent ReadContent(const PlotFlags& flags) {
   } else {
     content.reference = ReferenceAmong(content.inputs);
   }
-  content.matching = {AlignmentOf(flags.align, content), HasZUp(flags.up, content),
+  content.matching = {AlignmentOf(flags.align, content), flags.up == "z",
                       static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s))};
   for (const PlotInput& input : content.inputs) {
     const bool is_reference =
@@ -321,10 +300,9 @@ Command AddPlotCommand(CLI::App& program) {
       "the first common pose) or yaw (about the vertical, and translation); default: "
       "se3 with ground truth, otherwise none")
       ->check(OneOf({"none", "se3", "sim3", "origin", "yaw"}));
-  add("--up", flags->up, "AXIS",
-      "vertical axis: y (down, as cameras have it) or z (up); default: y for runs and "
-      "KITTI files, otherwise the axis with the smaller extent")
-      ->check(OneOf({"y", "z"}));
+  add("--up", flags->up, "AXIS", "vertical axis: y (down, as cameras have it) or z (up)")
+      ->check(OneOf({"y", "z"}))
+      ->capture_default_str();
   add("--max-time-difference", flags->max_time_difference_s, "S",
       "maximum time difference of matching poses, in seconds")
       ->check(Within(0.0, 1e6))

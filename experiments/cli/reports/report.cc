@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -27,63 +26,43 @@ constexpr int kQuality = 60;
 constexpr std::size_t kMinFrames = 8;
 constexpr std::size_t kMaxFrames = 150;
 
-std::size_t NumberOfImages(std::size_t most_bytes, int every, std::size_t frames) {
-  if (every > 0) return std::max<std::size_t>(1, frames / static_cast<std::size_t>(every));
-  return std::clamp(most_bytes / kTypicalImageBytes, kMinFrames, kMaxFrames);
-}
-
-// Draws on the images of a run that is shown. Returns why that is impossible; empty: it is not.
-std::string DrawScene(
-    const fs::path& run_folder,
-    const std::function<void(const reports::OverlayRun&, const RunImages&)>& draw) {
-  try {
-    if (!fs::exists(run_folder / "landmarks.csv")) {
-      return "the run has no landmarks.csv, so its images are not shown";
-    }
-    reports::OverlayRun run = reports::ReadOverlayRun(run_folder, reports::LandmarkLabel::kCluster);
-    AddDetections("", run);
-    draw(run, RunImages(run, ""));
-  } catch (const Error& error) {
-    return error.what();
+// Adds left images of a run, evenly spaced and drawn upon. Throws Error if that is impossible.
+void AddImages(const fs::path& run_folder, std::size_t most, reports::PageScene& scene) {
+  if (!fs::exists(run_folder / "landmarks.csv")) {
+    throw Error("the run has no landmarks.csv, so its images are not shown");
   }
-  return "";
+  reports::OverlayRun run = reports::ReadOverlayRun(run_folder, reports::LandmarkLabel::kCluster);
+  AddDetections("", run);
+  const RunImages images(run, "");
+  const reports::CameraInfo& camera = run.sequence.camera;
+  const reports::OverlayStyle style = reports::StyleFor(camera, std::min(kWidth, camera.width_px));
+  for (const std::size_t i : reports::EvenlySpaced(run.detail.camera.size(), most)) {
+    const int number = run.detail.camera[i].frame;
+    const cv::Mat image = images.Left(number);
+    if (image.empty()) continue;
+    const reports::OverlayFrame frame = reports::FrameOf(run, number);
+    const cv::Mat drawn = reports::DrawOverlay(image, frame, camera, style);
+    scene.images.push_back(
+        {number, reports::JpegBytes(drawn, kQuality), reports::StatusText(frame)});
+  }
+  for (const std::string& line : run.missing) scene.detail.missing.push_back("images: " + line);
+  if (scene.images.empty()) throw Error("none of the run's images can be read");
 }
 
-fs::path RunFolder(const fs::path& folder, const reports::PageScene& scene,
-                   const reports::PageContent& content) {
-  return folder / "jobs" / content.runs[scene.run].run.planned.job;
-}
-
-// Adds to each scene that wants images the drawn left images of every `every`-th frame; 0: of as
-// many as fit into kMaxImageBytes.
-void AddSceneImages(const fs::path& folder, int every, reports::PageContent& content) {
+// Adds to each scene that wants images as many as fit into kMaxImageBytes.
+void AddSceneImages(const fs::path& folder, reports::PageContent& content) {
   const auto wanting =
       static_cast<std::size_t>(std::count_if(content.scenes.begin(), content.scenes.end(),
                                              [](const auto& scene) { return scene.wants_images; }));
   for (reports::PageScene& scene : content.scenes) {
     if (!scene.wants_images) continue;
-    const auto draw = [&](const reports::OverlayRun& run, const RunImages& images) {
-      const reports::CameraInfo& camera = run.sequence.camera;
-      const reports::OverlayStyle style =
-          reports::StyleFor(camera, std::min(kWidth, camera.width_px));
-      const std::size_t frames = run.detail.camera.size();
-      for (const std::size_t i :
-           reports::EvenlySpaced(frames, NumberOfImages(kMaxImageBytes / wanting, every, frames))) {
-        const int number = run.detail.camera[i].frame;
-        const cv::Mat image = images.Left(number);
-        if (image.empty()) continue;
-        const reports::OverlayFrame frame = reports::FrameOf(run, number);
-        const cv::Mat drawn = reports::DrawOverlay(image, frame, camera, style);
-        scene.images.push_back(
-            {number, reports::JpegBytes(drawn, kQuality), reports::StatusText(frame)});
-      }
-      for (const std::string& line : run.missing) {
-        scene.detail.missing.push_back("images: " + line);
-      }
-    };
-    scene.no_images = DrawScene(RunFolder(folder, scene, content), draw);
-    if (scene.images.empty() && scene.no_images.empty()) {
-      scene.no_images = "none of the run's images can be read";
+    const std::string& job = content.runs[scene.run].run.planned.job;
+    try {
+      AddImages(folder / "jobs" / job,
+                std::clamp(kMaxImageBytes / wanting / kTypicalImageBytes, kMinFrames, kMaxFrames),
+                scene);
+    } catch (const Error& error) {
+      scene.no_images = error.what();
     }
   }
 }
@@ -113,7 +92,7 @@ int WriteReport(const ReportFlags& flags) {
   const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
   const OutputFolder output = OpenOutput(out, {"index.html"}, {request.folder, request.against});
   if (!flags.no_images) {
-    AddSceneImages(request.folder, flags.every, content);
+    AddSceneImages(request.folder, content);
   } else {
     for (reports::PageScene& scene : content.scenes) {
       if (scene.wants_images) scene.no_images = "left out by --no-images";
@@ -133,12 +112,7 @@ Command AddReportCommand(CLI::App& program) {
   add("DIR", flags->folder, "", "output folder of a suite")->required();
   add("-o,--output", flags->out, "OUT", "output folder for index.html; default: DIR/report");
   add("--against", flags->against, "DIR", "second output folder of the suite to compare with");
-  CLI::Option* every = add("--every", flags->every, "K",
-                           "include images of every K-th frame; default: as many as fit")
-                           ->check(Within(1, 1000000));
-  CLI::Option* none =
-      app->add_flag("--no-images", flags->no_images, "write the page without images");
-  none->excludes(every);
+  app->add_flag("--no-images", flags->no_images, "write the page without images");
   app->footer(
       "The page is self-contained and works offline. It lists what is missing or failed.\nExit "
       "code 1 if a whole section of the page could not be made.\n"

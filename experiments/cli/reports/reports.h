@@ -44,7 +44,6 @@ struct ReportFlags {
   std::string folder;
   std::string out = {};  // empty: the subfolder "report"
   std::string against = {};
-  int every = 0;
   bool no_images = false;
 };
 
@@ -66,7 +65,6 @@ struct OverlayFlags {
   bool sheet = false;
   bool video = false;
   bool no_images = false;
-  bool no_inset = false;
   bool quiet = false;
 };
 
@@ -126,7 +124,6 @@ struct PlotInput {
   std::string sequence;                     // runs only
   Trajectory poses;                         // row i of a KITTI file is at time i s
   bool timed = true;                        // false for a KITTI file
-  bool camera_axes = false;                 // y is known to point down: runs and KITTI files
   Trajectory truth;                         // runs only, in the world of the run; may be empty
   std::vector<reports::BodyDetail> bodies;  // runs only
 };

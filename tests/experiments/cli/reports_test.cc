@@ -129,8 +129,6 @@ TEST(CliReport, AnInvalidSuiteGivesOneLine) {
 }
 
 TEST(CliReport, InvalidFlags) {
-  EXPECT_EQ(RunProgram({"report", "x", "--every", "0"}).exit_code, 2);
-  EXPECT_EQ(RunProgram({"report", "x", "--every", "2", "--no-images"}).exit_code, 2);
   EXPECT_EQ(RunProgram({"report"}).exit_code, 2);
 }
 

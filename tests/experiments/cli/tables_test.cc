@@ -166,7 +166,7 @@ TEST(CliTables, ConflictingFlagsAreAnError) {
       {{"experiment", "table", folder, "--times", "--format", "csv"},
        "--format: does not apply with --times"},
       {test::With(compare, {folder}), "DIR: found 3 suites, expected 2"},
-      {test::With(compare, {"--all"}), "--all: applies to runs, found suites"}};
+      {test::With(compare, {"--json"}), "--json: applies to runs, found suites"}};
   for (const auto& [arguments, message] : cases) ExpectError(RunProgram(arguments), message, 2);
 }
 
