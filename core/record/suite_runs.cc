@@ -9,10 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Values of PlannedJob::missing for input that has to be made first.
-constexpr char kNotRendered[] = "not rendered yet";
-constexpr char kNotDetected[] = "boxes not found yet";
-
 std::string Joined(const std::vector<std::string>& texts) {
   std::string joined;
   for (const std::string& text : texts) joined += (joined.empty() ? "" : ",") + text;
@@ -126,8 +122,7 @@ std::vector<SuiteRun> ReadRuns(const fs::path& folder, const SuitePlan& plan,
     const fs::path failure = folder / "failed" / (planned.job + ".json");
     if (planned.job.empty()) {
       run.message = planned.missing;
-      const bool pending = planned.missing == kNotRendered || planned.missing == kNotDetected;
-      if (!pending) run.state = "no data";
+      if (!IsPending(planned.missing)) run.state = "no data";
     } else if (fs::exists(result)) {
       ReadResult(result, metrics, run);
     } else if (fs::exists(failure)) {

@@ -35,6 +35,13 @@ struct PlanTable {
   CVO_RECORD(CVO_FIELD(rows, metrics) CVO_ADDED(reference));
 };
 
+// Values of PlanJob::missing for input that only has to be made first.
+inline constexpr char kNotRendered[] = "not rendered yet";
+inline constexpr char kNotDetected[] = "boxes not found yet";
+inline bool IsPending(const std::string& missing) {
+  return missing == kNotRendered || missing == kNotDetected;
+}
+
 // One planned run.
 struct PlanJob {
   std::string sequence;

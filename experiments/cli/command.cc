@@ -58,7 +58,7 @@ void RefuseFlags(const CLI::App& app, const std::vector<std::string>& flags,
 }
 
 std::string VersionText() {
-  const BuildIdentity& build = ThisBuild();
+  const reports::BuildInfo& build = ThisBuild();
   return StrCat("clustervo ", build.version, "\nbuild      ", build.identity, "\nestimator  ",
                 build.estimator_sources, "\nevaluation ", build.evaluation_sources, "\ncommit     ",
                 build.commit, "\ncompiler   ", build.compiler, ", ", build.build_type, ", ",

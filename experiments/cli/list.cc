@@ -12,7 +12,6 @@
 #include "core/record/metric_catalogue.h"
 #include "experiments/cli/command.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/job_input.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
@@ -21,21 +20,32 @@
 namespace cvo {
 namespace {
 
-int ListVariants(bool json) {
+// Prints a list of objects with the same keys as JSON, or as a table.
+int PrintList(const Json& list, bool json) {
   if (json) {
-    Json list = Json::array();
-    for (const VariantInfo& variant : Variants()) {
-      list.push_back({{"name", variant.name}, {"changes", variant.changes}});
-    }
     std::cout << DumpJson(list);
     return 0;
   }
-  TextTable table({"variant", "description"});
-  for (const VariantInfo& variant : Variants()) {
-    table.Add({std::string(variant.name), std::string(variant.changes)});
+  std::vector<std::string> header;
+  for (const auto& [key, value] : list.front().items()) header.push_back(key);
+  TextTable table(header);
+  for (const Json& entry : list) {
+    std::vector<std::string> row;
+    for (const auto& [key, value] : entry.items()) {
+      row.push_back(value.is_string() ? value.get<std::string>() : value.dump());
+    }
+    table.Add(std::move(row));
   }
   table.Print(std::cout);
   return 0;
+}
+
+int ListVariants(bool json) {
+  Json list = Json::array();
+  for (const VariantInfo& variant : Variants()) {
+    list.push_back({{"name", variant.name}, {"changes", variant.changes}});
+  }
+  return PrintList(list, json);
 }
 
 std::string Range(const OptionLeaf& leaf) {
@@ -66,8 +76,7 @@ int ListOptions(bool json) {
   if (json) {
     Json list = Json::array();
     for (const OptionLeaf& leaf : leaves) list.push_back(LeafToJson(leaf));
-    std::cout << DumpJson(list);
-    return 0;
+    return PrintList(list, json);
   }
   TextTable table({"option", "default", "unit", "range"});
   for (const OptionLeaf& leaf : leaves) {
@@ -149,22 +158,14 @@ int ListKnobs(const std::string& name) {
 
 int ListMetrics(bool json) {
   Json list = Json::array();
-  TextTable table({"metric", "unit", "meaning"});
   for (const std::string& name : reports::AllMetricNames()) {
     const reports::MetricEntry* entry = reports::FindEntry(name);
-    const std::string unit = NameOf(entry->unit);
     list.push_back({{"name", name},
-                    {"unit", unit},
+                    {"unit", NameOf(entry->unit)},
                     {"higher_is_better", entry->higher_is_better()},
                     {"meaning", entry->meaning}});
-    table.Add({name, unit, entry->meaning});
   }
-  if (json) {
-    std::cout << DumpJson(list);
-  } else {
-    table.Print(std::cout);
-  }
-  return 0;
+  return PrintList(list, json);
 }
 
 int List(const std::string& what, const std::string& family, bool json) {

@@ -127,58 +127,41 @@ std::string PresentName(const std::string& command, const std::string& word) {
   return found == kPresent.end() ? "" : ", now clustervo " + found->second;
 }
 
-// Throws UsageError for a word that is not a subcommand where one must be. The parser would only
-// call it unexpected.
-void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
+// Throws UsageError for a word that is no subcommand where one must be, and for a flag that the
+// command does not have, with what was probably meant. The parser would only call them unexpected.
+void CheckNames(int argc, char** argv, const CLI::App& program) {
   const CLI::App* app = &program;
-  for (int i = 1; i < argc; ++i) {
-    const std::vector<const CLI::App*> known =
-        app->get_subcommands([](const CLI::App*) { return true; });
-    const std::string_view word = argv[i];
-    if (known.empty() || word.empty() || word.starts_with('-')) return;
-    std::vector<std::string> names;
-    for (const CLI::App* command : known) {
-      if (!command->get_group().empty()) names.push_back(command->get_name());
-    }
-    const auto found = std::find_if(known.begin(), known.end(), [&](const CLI::App* command) {
-      return command->get_name() == word;
-    });
-    if (found == known.end()) {
-      const std::string command = CommandName(*app);
-      const std::string present = PresentName(command, std::string(word));
-      const std::string meant = present.empty() ? DidYouMean(word, names) : present;
-      throw UsageError(StrCat(command, " has no subcommand \"", word, "\"",
-                              meant.empty() ? ", expected " + OneOfKnown(word, names) : meant,
-                              " (see ", command, " --help)"));
-    }
-    app = *found;
-  }
-}
-
-// Throws UsageError for a flag that the command does not have, suggesting the one that was probably
-// meant.
-void CheckFlagNames(int argc, char** argv, const CLI::App& program) {
-  const CLI::App* app = &program;
-  for (int i = 1; i < argc; ++i) {
+  bool flagged = false;
+  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
     const std::string word = argv[i];
-    if (word == "--") return;
-    if (!word.starts_with("--")) {
-      for (const CLI::App* below : app->get_subcommands([](const CLI::App*) { return true; })) {
-        if (below->get_name() == word) app = below;
-      }
-      continue;
-    }
-    const std::string flag = word.substr(0, word.find('='));
+    const bool is_flag = word.starts_with("--");
+    flagged = flagged || word.starts_with('-');
     std::vector<std::string> names;
-    for (const CLI::Option* option : app->get_options()) {
-      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    if (is_flag) {
+      for (const CLI::Option* option : app->get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      }
+    } else {
+      const auto below = app->get_subcommands([](const CLI::App*) { return true; });
+      const auto found = std::find_if(below.begin(), below.end(), [&](const CLI::App* command) {
+        return command->get_name() == word;
+      });
+      if (found != below.end()) app = *found;
+      if (found != below.end() || below.empty() || flagged || word.empty()) continue;
+      for (const CLI::App* command : below) {
+        if (!command->get_group().empty()) names.push_back(command->get_name());
+      }
     }
-    if (std::find(names.begin(), names.end(), flag) != names.end()) continue;
+    const std::string name = is_flag ? word.substr(0, word.find('=')) : word;
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string command = CommandName(*app);
-    const std::string present = PresentName(command, flag);
-    const std::string meant = present.empty() ? DidYouMean(flag, names) : present;
-    if (meant.empty()) continue;  // the value of a flag, or left to ExplainUsage
-    throw UsageError(StrCat(command, " has no flag ", flag, meant, " (see ", command, " --help)"));
+    const std::string present = PresentName(command, name);
+    const std::string meant = present.empty() ? DidYouMean(name, names) : present;
+    if (is_flag && meant.empty()) continue;  // the value of a flag, or left to ExplainUsage
+    throw UsageError(StrCat(command,
+                            is_flag ? " has no flag " + name : " has no subcommand " + Quoted(name),
+                            meant.empty() ? ", expected " + OneOfKnown(name, names) : meant,
+                            " (see ", command, " --help)"));
   }
 }
 
@@ -259,8 +242,7 @@ int Main(int argc, char** argv) {
                 AddOverlayCommand(program), AddReportCommand(program), AddPlotCommand(program),
                 AddExplainCommand(program)});
   try {
-    CheckSubcommand(argc, argv, program);
-    CheckFlagNames(argc, argv, program);
+    CheckNames(argc, argv, program);
     program.parse(argc, argv);
     CheckOutputName(program);
   } catch (const CLI::ParseError& error) {

@@ -10,7 +10,6 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "core/base/lists.h"
 #include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 
@@ -78,11 +77,6 @@ void RefuseInput(const fs::path& place, const std::vector<fs::path>& read, bool 
   }
 }
 
-bool IsIn(const fs::path& folder, const fs::path& above) {
-  return std::mismatch(folder.begin(), folder.end(), above.begin(), above.end()).second ==
-         above.end();
-}
-
 // Name of the suite planned in a folder. Empty if there is none, or if its plan cannot be read.
 std::string SuiteIn(const fs::path& folder) try {
   const fs::path plan = folder / "plan.json";
@@ -130,30 +124,12 @@ std::vector<fs::path> FoldersOf(const Sequence& sequence) {
   return {folders.begin(), folders.end()};
 }
 
-void CheckApartFrom(const std::vector<fs::path>& inputs, const fs::path& output) {
-  const fs::path resolved = Resolved(output);
-  for (const fs::path& input : inputs) {
-    if (input.empty() || !Exists(input)) continue;
-    const bool is_folder = fs::is_directory(input);
-    const fs::path folder = Resolved(is_folder ? input : fs::absolute(input).parent_path());
-    if (!is_folder && folder == resolved) {
-      Refuse(output, "the folder of the input " + input.string(), kOwnFolder);
-    }
-    if (!is_folder) continue;
-    if (IsIn(resolved, folder)) Refuse(output, "the input folder " + input.string(), kOwnFolder);
-    if (IsIn(folder, resolved)) {
-      Refuse(output, "a folder that holds the input " + input.string(), kOwnFolder);
-    }
-  }
+void CheckNotBelow(const std::vector<fs::path>& inputs, const fs::path& output) {
+  for (const fs::path& at : FromHereUp(output)) RefuseInput(at, inputs, true);
 }
 
 void CheckPlaceOfRun(const fs::path& output) {
   if (Exists(output / "plan.json")) Refuse(output, "the folder of a suite", kOwnFolder);
-  for (const fs::path& at : FromHereUp(Resolved(output).parent_path())) {
-    const bool is_run =
-        Exists(at / "result.json") && (Exists(at / "truth.json") || Exists(at / "objects.csv"));
-    if (is_run) Refuse(output, "the run in " + at.string(), kOwnFolder);
-  }
 }
 
 void CheckPlaceOfSuite(const fs::path& output, const std::string& suite) {
@@ -161,19 +137,6 @@ void CheckPlaceOfSuite(const fs::path& output, const std::string& suite) {
   const std::string found = SuiteIn(output);
   if (found.empty() || found == suite) return;
   Refuse(output, "the suite " + found, "a folder of its own for " + suite);
-}
-
-void CheckNoCollection(const fs::path& folder) {
-  if (Exists(folder / "plan.json") || !fs::is_directory(folder)) return;
-  std::vector<std::string> suites;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (Exists(entry.path() / "plan.json")) suites.push_back(entry.path().filename().string());
-  }
-  if (suites.empty()) return;
-  std::sort(suites.begin(), suites.end());
-  ThrowError(folder.string(), "the folder of a collection of suites",
-             "that of a suite in it: " + Joined(suites, ", "));
 }
 
 ScratchFolder::ScratchFolder() {

@@ -22,51 +22,26 @@
 #include "core/interface/options.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/runner/frame_detections.h"
 #include "experiments/runner/front_end_cache.h"
+#include "experiments/runner/given.h"
 #include "experiments/runner/identity.h"
 
 namespace cvo {
 namespace {
 
-// The output of the front end for a pair of image files.
-struct ExtractedFrame {
-  FrontEndFrame front_end;
-  ImageHashes hashes;
-  StageTimes times_s;
-};
-
-// Returns the frame with its timestamp, and with each problem naming the image file in the
-// sequence.
-PreparedFrame Prepare(const Sequence& sequence, std::size_t index, ExtractedFrame extracted) {
-  PreparedFrame prepared;
-  prepared.frame.timestamp_ns = sequence.timestamps_ns[index];
-  prepared.frame.features = std::move(extracted.front_end.features);
-  prepared.hashes = std::move(extracted.hashes);
-  prepared.times_s = std::move(extracted.times_s);
-  const StereoPaths& paths = sequence.images[index];
-  for (SideProblem& problem : extracted.front_end.problems) {
-    const std::filesystem::path& image = problem.side == 0 ? paths.left : paths.right;
-    prepared.problems.push_back(
-        {image.lexically_relative(sequence.folder).generic_string(), std::move(problem.reason)});
-  }
-  return prepared;
-}
-
 // Decodes images and extracts features on the pool, a few frames ahead of the consumer. The frames
 // do not depend on the number of threads. Images of at most kFrames frames are in memory. The
 // sequence, options and pool must outlive it.
-class LookAhead final : public FrameSource {
+class LookAhead {
  public:
   static constexpr std::size_t kFrames = 3;
 
   LookAhead(const Sequence& sequence, const Options& options, TaskPool& pool,
-            std::size_t first_frame = 0);
+            std::size_t first_frame);
 
   // Returns the next frame of the sequence. Works on it in the calling thread if no other has taken
   // it.
-  ExtractedFrame Extract();
-  PreparedFrame Next() override;
+  PreparedFrame Next();
 
  private:
   struct Slot;
@@ -188,30 +163,25 @@ void LookAhead::SubmitNext() {
   ahead_.push_back(std::move(next));
 }
 
-ExtractedFrame LookAhead::Extract() {
+PreparedFrame LookAhead::Next() {
   Require(!ahead_.empty(), "LookAhead: no frame is left");
   const Submitted submitted = std::move(ahead_.front());
   ahead_.pop_front();
   for (const TaskPool::Ticket& ticket : submitted.tickets) pool_.Wait(ticket);
 
   Slot& slot = *submitted.slot;
-  ExtractedFrame extracted;
-  extracted.front_end.features = std::move(slot.features);
+  PreparedFrame extracted;
+  extracted.features = std::move(slot.features);
   extracted.hashes = {slot.sides[0].sha256, slot.sides[1].sha256};
   extracted.times_s = slot.match_times_s;
   for (int side = 0; side < 2; ++side) {
     Side& image = slot.sides[static_cast<std::size_t>(side)];
     AddTimes(image.times_s, extracted.times_s);
     if (image.problem.empty()) continue;
-    extracted.front_end.problems.push_back({side, std::move(image.problem)});
+    extracted.problems.push_back({side, std::move(image.problem)});
   }
   SubmitNext();
   return extracted;
-}
-
-PreparedFrame LookAhead::Next() {
-  const std::size_t index = submitted_ - ahead_.size();
-  return Prepare(sequence_, index, Extract());
 }
 
 FrontEndSettings Settings(const FrameInput& input) {
@@ -226,92 +196,67 @@ FrontEndSettings Settings(const FrameInput& input) {
           .first_frame = sequence.first_frame};
 }
 
-// Extracts the frames and records them for later runs under `key`, that of the images as they were
-// before.
-class RecordedFrames final : public FrameSource {
+// Reads the frames from the cache, or extracts and records them for later runs. If one of the cache
+// cannot be read, extracts this one and all after it; the next run makes the entry again.
+class Frames final : public FrameSource {
  public:
-  RecordedFrames(const FrameInput& input, std::string key, TaskPool& pool)
-      : input_(input),
-        frames_(input.sequence, input.options, pool),
-        recording_(input.cache->Record(key)),
-        key_(std::move(key)) {}
+  Frames(const FrameInput& input, TaskPool& pool) : input_(input), pool_(pool) {
+    if (input.cache == nullptr) return;
+    images_ = input.images;
+    key_ = FrontEndKey(Settings(input), images_);
+    if (key_.empty()) return;
+    file_ = input.cache->Find(key_);
+    if (!file_) recording_.emplace(input.cache->Record(key_));
+  }
 
   PreparedFrame Next() override {
-    ExtractedFrame extracted = frames_.Extract();
-    images_.push_back(extracted.hashes);
-    {
-      const ScopedStage stage(extracted.times_s, "store_features");
-      recording_.Add(extracted.front_end);
+    const std::size_t index = next_++;
+    PreparedFrame frame;
+    if (file_ && ReadNext(index, frame)) return frame;
+    if (!ahead_) ahead_.emplace(input_.sequence, input_.options, pool_, index);
+    frame = ahead_->Next();
+    if (recording_) {
+      const ScopedStage stage(frame.times_s, "store_features");
+      recording_->Add(frame);
+      images_[index] = frame.hashes;
     }
-    return Prepare(input_.sequence, images_.size() - 1, std::move(extracted));
+    return frame;
   }
 
   // An image that has changed since leaves no entry.
   void Finish() override {
-    if (FrontEndKey(Settings(input_), images_) == key_) recording_.Finish();
+    if (recording_ && FrontEndKey(Settings(input_), images_) == key_) recording_->Finish();
   }
 
  private:
-  const FrameInput input_;
-  LookAhead frames_;
-  FeatureRecording recording_;
-  std::vector<ImageHashes> images_;
-  std::string key_;
-};
-
-// Reads frames from the cache. If one cannot be read, extracts this one and all after it; the next
-// run makes the entry again.
-class CachedFrames final : public FrameSource {
- public:
-  CachedFrames(const FrameInput& input, std::vector<ImageHashes> images, std::string key,
-               FeatureFile file, TaskPool& pool)
-      : input_(input),
-        images_(std::move(images)),
-        key_(std::move(key)),
-        file_(std::move(file)),
-        pool_(pool) {}
-
-  PreparedFrame Next() override {
-    const std::size_t index = next_++;
-    if (rest_) return rest_->Next();
-    ExtractedFrame cached;
+  // Returns false if the file is damaged, which removes it.
+  bool ReadNext(std::size_t index, PreparedFrame& frame) {
     try {
-      const ScopedStage stage(cached.times_s, "load_features");
-      cached.front_end = file_.Next();
-      cached.hashes = images_.at(index);
+      const ScopedStage stage(frame.times_s, "load_features");
+      static_cast<FrontEndFrame&>(frame) = file_->Next();
+      frame.hashes = images_.at(index);
+      return true;
     } catch (const Error& damage) {
       input_.cache->Remove(key_, damage.what());
-      rest_.emplace(input_.sequence, input_.options, pool_, index);
-      return rest_->Next();
+      file_.reset();
+      return false;
     }
-    return Prepare(input_.sequence, index, std::move(cached));
   }
 
- private:
   const FrameInput input_;
-  std::vector<ImageHashes> images_;
-  std::string key_;
-  FeatureFile file_;
   TaskPool& pool_;
-  std::optional<LookAhead> rest_;
+  std::vector<ImageHashes> images_;  // as hashed before; those of recorded frames as read
+  std::string key_;
+  std::optional<FeatureFile> file_;
+  std::optional<FeatureRecording> recording_;
+  std::optional<LookAhead> ahead_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<FrameSource> OpenFrames(const FrameInput& input, TaskPool& pool) {
-  if (input.cache == nullptr) {
-    return std::make_unique<LookAhead>(input.sequence, input.options, pool);
-  }
-  std::vector<ImageHashes> images =
-      input.images.empty() ? HashImages(input.sequence) : input.images;
-  std::string key = FrontEndKey(Settings(input), images);
-  if (key.empty()) return std::make_unique<LookAhead>(input.sequence, input.options, pool);
-  if (std::optional<FeatureFile> file = input.cache->Find(key)) {
-    return std::make_unique<CachedFrames>(input, std::move(images), std::move(key),
-                                          *std::move(file), pool);
-  }
-  return std::make_unique<RecordedFrames>(input, std::move(key), pool);
+  return std::make_unique<Frames>(input, pool);
 }
 
 }  // namespace cvo

@@ -7,21 +7,17 @@
 
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
-#include "core/interface/frame.h"
 #include "core/interface/options.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/front_end_cache.h"
 #include "experiments/runner/identity.h"
-#include "experiments/runner/run_result.h"
 
 namespace cvo {
 
-// A frame as it is given to the estimator.
-struct PreparedFrame {
-  StereoFrame frame;
+// The output of the front end for a pair of image files.
+struct PreparedFrame : FrontEndFrame {
   ImageHashes hashes;
-  std::vector<ImageProblem> problems;  // if not empty: no features, skip the frame
-  StageTimes times_s;                  // decode and extract: the sum over both images
+  StageTimes times_s;  // decode and extract: the sum over both images
 };
 
 // Supplies the frames of a sequence in order.
@@ -40,7 +36,7 @@ class FrameSource {
 struct FrameInput {
   const Sequence& sequence;
   const Options& options;
-  const std::vector<ImageHashes>& images;  // of every frame; empty: not known
+  const std::vector<ImageHashes>& images;  // of every frame; needed with a cache
   const FrontEndCache* cache = nullptr;    // may be null
 };
 

@@ -15,7 +15,6 @@
 #include "core/features/stereo_feature.h"
 #include "core/files/atomic_file.h"
 #include "core/geometry/stereo_camera.h"
-#include "experiments/runner/file_hashes.h"
 #include "experiments/runner/identity.h"
 
 namespace cvo {

@@ -2,23 +2,43 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/identity.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <Eigen/Core>
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
 #include <opencv2/core/utility.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "build_sources.h"
 #include "build_tools.h"
 #include "core/base/error.h"
+#include "core/base/task_pool.h"
 #include "core/features/cpu_level.h"
+#include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
 #include "core/files/sha256.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 
 namespace cvo {
 
 namespace {
 
-BuildIdentity IdentifyBuild() {
-  BuildIdentity build;
+reports::BuildInfo IdentifyBuild() {
+  reports::BuildInfo build;
   build.version = kVersion;
   build.estimator_sources = kEstimatorSources;
   build.evaluation_sources = kEvaluationSources;
@@ -35,35 +55,25 @@ BuildIdentity IdentifyBuild() {
 
 }  // namespace
 
-std::string IdentityOf(const BuildIdentity& build) {
+std::string IdentityOf(const reports::BuildInfo& build) {
   JsonWriter fields;
-  BuildIdentity::VisitIdentity(build, fields);
+  reports::BuildInfo::VisitIdentity(build, fields);
   return Sha256Hex(DumpJson(fields.Take()));
 }
 
-const BuildIdentity& ThisBuild() {
-  static const BuildIdentity build = IdentifyBuild();
+const reports::BuildInfo& ThisBuild() {
+  static const reports::BuildInfo build = IdentifyBuild();
   return build;
 }
 
-std::string IdentityHead(const std::string& build, const std::string& variant,
-                         const Json& options) {
-  const std::string text = DumpJson({{"build", build}, {"variant", variant}, {"options", options}});
-  return text.substr(0, text.rfind("\n}")) + ",";
-}
-
-// The hash of a JSON object whose first members are those of the head.
-std::string JobIdentity(const std::string& head, const JobInput& input) {
-  const std::string text = DumpJson({{"content", input.content},
-                                     {"detections", input.detections},
-                                     {"given", input.given},
-                                     {"seed", input.seed}});
-  return Sha256Hex(head + text.substr(1));
-}
-
 std::string JobIdentity(const Job& job) {
-  return JobIdentity(IdentityHead(job.build, job.variant, job.options),
-                     {job.content, job.detections, job.given, job.seed});
+  return Sha256Hex(DumpJson({{"build", job.build},
+                             {"variant", job.variant},
+                             {"options", job.options},
+                             {"content", job.content},
+                             {"detections", job.detections},
+                             {"given", job.given},
+                             {"seed", job.seed}}));
 }
 
 std::string DetectionsHash(const Sequence& sequence) {
@@ -77,22 +87,6 @@ std::string DetectionsHash(const Sequence& sequence) {
 
 Json GivenToJson(const std::vector<std::string>& classes, const std::vector<std::string>& oracle) {
   return {{"classes", classes}, {"oracle", oracle}};
-}
-
-std::string HashFile(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return "";
-  return Sha256Hex(ReadFileBytes(file));
-}
-
-ImageHashes HashPair(const StereoPaths& pair) {
-  return {HashFile(pair.left), HashFile(pair.right)};
-}
-
-std::vector<ImageHashes> HashImages(const Sequence& sequence) {
-  std::vector<ImageHashes> images;
-  for (const StereoPaths& pair : sequence.images) images.push_back(HashPair(pair));
-  return images;
 }
 
 Json CameraNumbers(const StereoCamera& camera) {
@@ -131,6 +125,163 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
   DumpJsonWithRows(
       json, "images", next, [&hash](std::string_view part) { hash.Add(part); }, behind);
   return hash.Hex();
+}
+
+namespace fs = std::filesystem;
+
+std::uint64_t CacheLimit() {
+  constexpr std::string_view kUnits = "KMGT";
+  constexpr double kLargest_bytes = 1e18;
+  const char* variable = std::getenv("CLUSTERVO_CACHE_SIZE");
+  const std::string text = variable == nullptr || *variable == '\0' ? "20G" : variable;
+  const std::size_t letter = kUnits.find(text.back());
+  const double unit =
+      letter == kUnits.npos ? 1.0 : std::pow(1000.0, static_cast<double>(letter) + 1.0);
+  const std::optional<double> value =
+      ParseDouble(letter == kUnits.npos ? text : text.substr(0, text.size() - 1));
+  if (!value || *value < 0.0 || *value * unit > kLargest_bytes) {
+    ThrowError("CLUSTERVO_CACHE_SIZE", Quoted(text), "a size in bytes, such as 500M or 20G");
+  }
+  return static_cast<std::uint64_t>(*value * unit);
+}
+
+void MarkUsed(const fs::path& file) { (void)::utimensat(AT_FDCWD, file.c_str(), nullptr, 0); }
+
+void TrimFolder(const fs::path& folder, std::uint64_t limit_bytes) {
+  struct Entry {
+    fs::file_time_type used;
+    fs::path path;
+    std::uint64_t size_bytes;
+  };
+  std::vector<Entry> entries;
+  std::uint64_t total_bytes = 0;
+  std::error_code error;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
+    std::error_code gone;
+    if (IsTemporary(file.path()) || !file.is_regular_file(gone)) continue;
+    const Entry entry = {file.last_write_time(gone), file.path(), file.file_size(gone)};
+    if (gone) continue;
+    total_bytes += entry.size_bytes;
+    entries.push_back(entry);
+  }
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.used, a.path) < std::tie(b.used, b.path);
+  });
+  for (const Entry& entry : entries) {
+    if (total_bytes <= limit_bytes) return;
+    if (::unlink(entry.path.c_str()) == 0 || errno == ENOENT) total_bytes -= entry.size_bytes;
+  }
+}
+
+namespace {
+
+constexpr std::int64_t kRacy_ns = 2'000'000'000;     // the coarsest resolution of timestamps in use
+constexpr std::uint64_t kLimit_bytes = 256'000'000;  // of the hashes of all lists
+
+// What the file system states about files: with the same key they have the same bytes.
+struct Stamps {
+  std::string key;
+  std::int64_t newest_ns = 0;  // last change of any of them
+};
+
+std::int64_t Nanoseconds(const timespec& time) {
+  return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
+}
+
+Stamps StampsOf(const std::vector<fs::path>& files) {
+  Stamps stamps;
+  std::string text;
+  for (const fs::path& file : files) {
+    text += fs::absolute(file).lexically_normal().string();
+    struct stat status {};
+    if (::stat(file.c_str(), &status) == 0) {
+      // The time of the last change of content, name or permissions cannot be set back.
+      const std::int64_t modified_ns = Nanoseconds(status.st_mtim);
+      const std::int64_t changed_ns = Nanoseconds(status.st_ctim);
+      stamps.newest_ns = std::max({stamps.newest_ns, modified_ns, changed_ns});
+      text += StrCat('\0', status.st_size, ' ', modified_ns, ' ', changed_ns, ' ', status.st_ino);
+    }
+    text += '\0';
+  }
+  stamps.key = Sha256Hex(text);
+  return stamps;
+}
+
+// The file with hashes has one line per hash, and one with the hash of all of these lines.
+std::string Kept(const std::vector<std::string>& hashes) {
+  std::string lines;
+  for (const std::string& hash : hashes) lines += hash + "\n";
+  return lines + Sha256Hex(lines) + "\n";
+}
+
+// Empty if there are none, or if they are damaged.
+std::optional<std::vector<std::string>> ReadKept(const fs::path& file, std::size_t count) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
+  try {
+    const std::string bytes = ReadFileBytes(file);
+    std::vector<std::string> hashes;
+    for (std::size_t begin = 0; begin < bytes.size() && hashes.size() < count;) {
+      const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
+      hashes.push_back(bytes.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    if (hashes.size() != count || Kept(hashes) != bytes) return std::nullopt;
+    MarkUsed(file);
+    return hashes;
+  } catch (const Error&) {
+    return std::nullopt;  // another process has removed the file
+  }
+}
+
+std::string HashFile(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) ? Sha256Hex(ReadFileBytes(file)) : "";
+}
+
+}  // namespace
+
+std::vector<std::string> FileHashes::Of(const std::vector<fs::path>& files) const {
+  const Stamps stamps = StampsOf(files);
+  const std::string name = stamps.key + ".txt";
+  if (!folder.empty()) {
+    if (auto kept = ReadKept(folder / name, files.size())) return *std::move(kept);
+  }
+  const std::int64_t start_ns = hooks.now_ns();
+  std::vector<std::string> hashes(files.size());
+  std::mutex mutex;
+  std::size_t done = 0;
+  TaskPool(threads).ParallelFor(static_cast<int>(files.size()), [&](int i) {
+    const auto index = static_cast<std::size_t>(i);
+    hashes[index] = HashFile(files[index]);
+    const std::lock_guard lock(mutex);
+    hooks.hashed(++done, files.size());
+  });
+  const bool settled = stamps.newest_ns + kRacy_ns <= start_ns && StampsOf(files).key == stamps.key;
+  if (folder.empty() || !settled) return hashes;
+  try {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    WriteFilesAtomically(folder, {{name, Kept(hashes)}});
+    TrimFolder(folder, kLimit_bytes);
+  } catch (const std::exception& error) {
+    hooks.notice(StrCat("file hashes are not kept for other runs: ", error.what()));
+  }
+  return hashes;
+}
+
+std::vector<ImageHashes> FileHashes::OfImages(const Sequence& sequence) const {
+  std::vector<fs::path> files;
+  for (const StereoPaths& pair : sequence.images) {
+    files.push_back(pair.left);
+    files.push_back(pair.right);
+  }
+  std::vector<std::string> hashes = Of(files);
+  std::vector<ImageHashes> images;
+  for (std::size_t i = 0; i < hashes.size(); i += 2) {
+    images.push_back({std::move(hashes[i]), std::move(hashes[i + 1])});
+  }
+  return images;
 }
 
 }  // namespace cvo

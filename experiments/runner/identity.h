@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,15 +15,12 @@
 
 namespace cvo {
 
-// What determines the bytes of a result besides its input. Two builds with the same identity give
-// the same results. The commit is informative and not part of the identity.
-using BuildIdentity = reports::BuildInfo;
-
-// Hash of all fields except the commit.
-std::string IdentityOf(const BuildIdentity& build);
+// What determines the bytes of a result besides its input: two builds with the same hash of all
+// fields but the commit give the same results.
+std::string IdentityOf(const reports::BuildInfo& build);
 
 // The running program on this CPU.
-const BuildIdentity& ThisBuild();
+const reports::BuildInfo& ThisBuild();
 
 // Everything that determines the bytes of a result.
 struct Job {
@@ -35,17 +35,6 @@ struct Job {
 
 // Jobs with the same identity have the same result.
 std::string JobIdentity(const Job& job);
-
-// The same in two steps, for many jobs that share the first: all jobs of a build with the same
-// variant and options.
-struct JobInput {
-  std::string content;
-  std::string detections;
-  Json given;
-  std::uint64_t seed = 0;
-};
-std::string IdentityHead(const std::string& build, const std::string& variant, const Json& options);
-std::string JobIdentity(const std::string& head, const JobInput& input);
 
 // Hash of the boxes that the estimator is given, whichever file they came from.
 std::string DetectionsHash(const Sequence& sequence);
@@ -69,11 +58,44 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
 // which is an estimate and not an input.
 Json CameraNumbers(const StereoCamera& camera);
 
-// Returns the SHA-256 of a file's bytes; empty if there is no such regular file. Throws Error if it
-// cannot be read, as a plan made with another hash would be for another job.
-std::string HashFile(const std::filesystem::path& file);
-ImageHashes HashPair(const StereoPaths& pair);
-// Hashes the images of every frame; reads all of them.
-std::vector<ImageHashes> HashImages(const Sequence& sequence);
+// Takes a line for the user about a problem that does not end the run.
+using Notice = std::function<void(const std::string& line)>;
+
+// Returns the maximum size of the front-end cache in bytes: CLUSTERVO_CACHE_SIZE ("20G"; K, M, G, T
+// are powers of 1000), else 20 GB. Throws Error for text that is not a size.
+std::uint64_t CacheLimit();
+
+// Makes the file the most recently used, which TrimFolder removes last. Fails silently, for example
+// in a folder of another user.
+void MarkUsed(const std::filesystem::path& file);
+
+// Removes files, least recently used first, until the rest is within the limit. Temporaries do not
+// count. Files that cannot be removed stay.
+void TrimFolder(const std::filesystem::path& folder, std::uint64_t limit_bytes);
+
+struct FileHashHooks {
+  Notice notice = [](const std::string&) {};
+  // Called with the number of files read so far, if they have to be read.
+  std::function<void(std::size_t done, std::size_t total)> hashed = [](std::size_t, std::size_t) {};
+  // Wall-clock time, as in the timestamps of files.
+  std::function<std::int64_t()> now_ns = [] {
+    return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+  };
+};
+
+// Hashes lists of files. The hashes of a list are kept in `folder` (empty: nowhere): if no file has
+// changed since, none is read. They are not kept if a file has changed within the last two seconds,
+// as its timestamp may not reveal another change. Damaged or unwritable hashes only cost time.
+struct FileHashes {
+  std::filesystem::path folder;
+  int threads = 1;
+  FileHashHooks hooks = {};
+
+  // Returns the SHA-256 of each file; empty if there is no such regular file. Throws Error for a
+  // file that cannot be read, as a plan made with another hash would be for another job.
+  std::vector<std::string> Of(const std::vector<std::filesystem::path>& files) const;
+  // Returns the hashes of a sequence's images, for ContentHash.
+  std::vector<ImageHashes> OfImages(const Sequence& sequence) const;
+};
 
 }  // namespace cvo

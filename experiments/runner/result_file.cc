@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/runner/result_file.h"
-
 #include <Eigen/LU>
 #include <map>
 
 #include "core/files/json/json.h"
-#include "core/record/truth.h"
 #include "experiments/runner/identity.h"
+#include "experiments/runner/run_files.h"
+#include "experiments/runner/run_job.h"
 
 namespace cvo {
 
@@ -95,8 +94,8 @@ Json FrameToJson(const FrameRecord& frame) {
   return {{"frame", frame.frame},
           {"timestamp_ns", frame.timestamp_ns},
           {"status", ToString(report.status)},
-          {"causal", PoseToJson(report.world_from_camera)},
-          {"refined", PoseToJson(frame.refined_world_from_camera)},
+          {"causal", PoseOf(report.world_from_camera)},
+          {"refined", PoseOf(frame.refined_world_from_camera)},
           {"features", report.features},
           {"matches", report.matches},
           {"inliers", report.inliers},
@@ -158,7 +157,7 @@ std::optional<CalibrationReport> LastCalibration(const RunResult& run) {
   return std::nullopt;
 }
 
-Json PoseToJson(const RigidTransform& pose) {
+reports::Pose PoseOf(const RigidTransform& pose) {
   const auto t = pose.translation();
   const auto q = pose.rotation();
   return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
@@ -198,36 +197,36 @@ Json ResultJson(const reports::RunSummary& summary, const Json& details) {
   return json;
 }
 
-std::string RecordedJob(const RunRecord& record) {
-  return JobIdentity({record.build.identity, record.variant, record.options, record.run.content,
-                      DetectionsHash(record.sequence), record.given, record.seed});
-}
-
-void WriteResultFile(const RunRecord& record, const TextSink& sink) {
+void WriteResultFile(const RunResult& run, const TextSink& sink) {
   reports::RunSummary summary;
-  summary.job = RecordedJob(record);
-  summary.status = ToString(record.run.status);
-  summary.message = record.run.message;
-  summary.variant = record.variant;
-  summary.seed = record.seed;
-  summary.sequence = SequenceOf(record.sequence, record.run.content, record.warnings);
-  summary.options = record.options;
-  summary.given = record.given;
-  summary.detection_counts = DetectionsToJson(record.run.detections);
-  summary.build = record.build;
-  summary.metrics = record.metrics;
-  summary.bodies = record.bodies;
+  summary.job = run.job;
+  summary.status = ToString(run.status);
+  summary.message = run.message;
+  summary.variant = run.variant.name;
+  summary.seed = run.seed;
+  summary.sequence = SequenceOf(run.sequence, run.content, run.warnings);
+  summary.options = ResolvedOptions(run.options);
+  summary.given = Given(run.sequence, run.classes, run.oracle);
+  summary.detection_counts = DetectionsToJson(run.detections);
+  summary.build = ThisBuild();
+  summary.metrics = run.scores.metrics;
+  const std::vector<BodyScore>& refined = run.scores.refined_bodies;
+  const std::vector<BodyScore>& causal = run.scores.causal_bodies;
+  if (!refined.empty()) {
+    summary.bodies =
+        reports::RunBodies{{refined.begin(), refined.end()}, {causal.begin(), causal.end()}};
+  }
   const Json json =
-      ResultJson(summary, {{"clusters", ClustersToJson(record.run)},
-                           {"calibration", LastCalibrationToJson(record.run)},
-                           {"frame_counts", CountsToJson(record.run)},
-                           {"solver_endings", SolverEndingsToJson(record.run)},
-                           {"undecodable", UndecodableToJson(record.run)},
-                           {"trajectories", TrajectoriesToJson(record.run)},
+      ResultJson(summary, {{"clusters", ClustersToJson(run)},
+                           {"calibration", LastCalibrationToJson(run)},
+                           {"frame_counts", CountsToJson(run)},
+                           {"solver_endings", SolverEndingsToJson(run)},
+                           {"undecodable", UndecodableToJson(run)},
+                           {"trajectories", TrajectoriesToJson(run)},
                            {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}}});
-  auto frame = record.run.frames.begin();
+  auto frame = run.frames.begin();
   const auto next = [&](Json& row) {
-    if (frame == record.run.frames.end()) return false;
+    if (frame == run.frames.end()) return false;
     row = FrameToJson(*frame);
     ++frame;
     return true;
@@ -236,12 +235,6 @@ void WriteResultFile(const RunRecord& record, const TextSink& sink) {
 }
 
 namespace {
-
-reports::Pose PoseOf(const RigidTransform& pose) {
-  const auto t = pose.translation();
-  const auto q = pose.rotation();
-  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
-}
 
 reports::TruthPoses PosesOf(const TruthBody& body, const RigidTransform& estimate_from_truth) {
   reports::TruthPoses poses;
@@ -282,20 +275,17 @@ reports::TruthOfBody BodyOf(const BodyScore& score, const TruthBody& body,
 
 }  // namespace
 
-std::string TruthFile(const std::string& job, const TruthRecord& truth) {
-  const RigidTransform estimate_from_truth = truth.truth_from_estimate.Inverse();
+std::string TruthFile(const RunResult& run, const ObjectTruth* objects) {
+  const RigidTransform estimate_from_truth = run.scores.truth_from_estimate.Inverse();
   reports::TruthData data;
-  data.job = job;
-  if (truth.camera) {
-    for (const auto& world_from_camera : *truth.camera) {
-      data.camera.emplace_back();
-      if (world_from_camera) data.camera.back() = PoseOf(estimate_from_truth * *world_from_camera);
-    }
+  data.job = run.job;
+  for (const auto& world_from_camera : run.sequence.groundtruth_world_from_camera) {
+    data.camera.emplace_back();
+    if (world_from_camera) data.camera.back() = PoseOf(estimate_from_truth * *world_from_camera);
   }
-  if (truth.objects && truth.bodies) {
-    for (const BodyScore& score : *truth.bodies) {
-      data.bodies.push_back(
-          BodyOf(score, *FindBody(*truth.objects, score.id), estimate_from_truth));
+  if (objects != nullptr) {
+    for (const BodyScore& score : run.scores.refined_bodies) {
+      data.bodies.push_back(BodyOf(score, *FindBody(*objects, score.id), estimate_from_truth));
     }
   }
   return FileText(data);

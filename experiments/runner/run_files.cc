@@ -20,7 +20,6 @@
 #include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
 #include "experiments/metrics/trajectory.h"
-#include "experiments/runner/run_tables.h"
 
 namespace cvo {
 
@@ -92,7 +91,8 @@ reports::TimingData ThisProcess() {
   return timing;
 }
 
-void WriteTimingFile(const RunResult& run, reports::TimingData timing, const TextSink& sink) {
+void WriteTimingFile(const RunResult& run, const TextSink& sink) {
+  reports::TimingData timing = run.timing;
   timing.wall_s = run.wall_s;
   const double count = static_cast<double>(run.frames.size());
   timing.frames_per_second = run.wall_s > 0.0 ? count / run.wall_s : 0.0;
@@ -168,9 +168,8 @@ StagedFile BeginLandmarks(const fs::path& folder) {
   return file;
 }
 
-void WriteRunFiles(const fs::path& folder, const RunRecord& record,
-                   const reports::TimingData& timing, std::optional<StagedFile> landmarks) {
-  const RunResult& run = record.run;
+void WriteRunFiles(const fs::path& folder, const RunResult& run, const ObjectTruth* objects,
+                   std::optional<StagedFile> landmarks) {
   StagedFiles files(folder);
   const bool has_landmarks = landmarks.has_value();
   if (landmarks) files.Add(std::move(*landmarks));
@@ -179,14 +178,12 @@ void WriteRunFiles(const fs::path& folder, const RunRecord& record,
   }
   files.Add("camera.tum", CameraTum(run.frames));
   files.Add("camera.kitti", CameraKitti(run.frames));
-  files.Add("objects.csv",
-            [&](const TextSink& sink) { WriteObjectTable(record.sequence, run, sink); });
-  files.Add("tracks.kitti",
-            [&](const TextSink& sink) { WriteKittiTracks(record.sequence, run, sink); });
-  files.Add(kTruth, TruthFile(RecordedJob(record), record.truth));
+  files.Add("objects.csv", [&](const TextSink& sink) { WriteObjectTable(run, sink); });
+  files.Add("tracks.kitti", [&](const TextSink& sink) { WriteKittiTracks(run, sink); });
+  files.Add(kTruth, TruthFile(run, objects));
   // The result comes last: if it is complete, so is everything else.
-  files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, timing, sink); });
-  files.Add("result.json", [&](const TextSink& sink) { WriteResultFile(record, sink); });
+  files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, sink); });
+  files.Add("result.json", [&](const TextSink& sink) { WriteResultFile(run, sink); });
   std::vector<std::string> stale = StaleFiles(folder, files);
   if (!has_landmarks && fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);
   files.Publish(stale);

@@ -3,14 +3,20 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/files/atomic_file.h"
+#include "core/files/json/json.h"
 #include "core/files/text_file.h"
+#include "core/interface/frame.h"
 #include "core/record/run_summary.h"
-#include "experiments/runner/result_file.h"
+#include "core/record/truth.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/metrics/objects/object_matching.h"
 #include "experiments/runner/run_result.h"
 
 namespace cvo {
@@ -19,8 +25,8 @@ namespace cvo {
 // timing.json.
 reports::TimingData ThisProcess();
 
-// Writes timing.json: the head with wall time per frame by stage in ms, and frames per second.
-void WriteTimingFile(const RunResult& run, reports::TimingData timing, const TextSink& sink);
+// Writes timing.json: run.timing with wall time per frame by stage in ms, and frames per second.
+void WriteTimingFile(const RunResult& run, const TextSink& sink);
 
 // Returns the names of what a run may write to its folder: result.json, timing.json, truth.json,
 // camera.tum, camera.kitti, objects.csv, tracks.kitti, clusters/ with <id>.tum and, on request,
@@ -32,8 +38,55 @@ std::vector<std::string> RunFileNames();
 StagedFile BeginLandmarks(const std::filesystem::path& folder);
 
 // Writes these files to an existing folder: either all of them complete, or none (see StagedFiles).
-// Removes files of an earlier run that this one does not have.
-void WriteRunFiles(const std::filesystem::path& folder, const RunRecord& record,
-                   const reports::TimingData& timing, std::optional<StagedFile> landmarks = {});
+// Removes files of an earlier run that this one does not have. `objects`: see TruthFile.
+void WriteRunFiles(const std::filesystem::path& folder, const RunResult& run,
+                   const ObjectTruth* objects, std::optional<StagedFile> landmarks = {});
+
+// Returns the content of truth.json, for drawing: the ground truth in the world of the run, which
+// is the first left camera as estimated, and for each body the positions from which its ATE is
+// computed. Frames count from the first one processed; poses are as in result.json. `objects`: null
+// if there is no ground truth of bodies.
+std::string TruthFile(const RunResult& run, const ObjectTruth* objects);
+
+reports::Pose PoseOf(const RigidTransform& pose);
+
+// Describes the sequence that was read, with its hash and the warnings of FindImplausible.
+reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& content,
+                                const std::vector<std::string>& warnings);
+
+reports::CameraInfo CameraOf(const StereoCamera& camera);
+
+// Content of a result.json: the summary, followed by details that only some readers need.
+Json ResultJson(const reports::RunSummary& summary, const Json& details);
+
+// Calibration of the last frame that has an estimate of it. Empty if there is none.
+std::optional<CalibrationReport> LastCalibration(const RunResult& run);
+
+// Writes result.json. The same job gives the same bytes, whatever the time, host, paths and number
+// of threads. Throws Error naming a field that is not finite.
+void WriteResultFile(const RunResult& run, const TextSink& sink);
+
+// Writes objects.csv: a header, then a row for each live cluster in each frame.
+void WriteObjectTable(const RunResult& run, const TextSink& sink);
+
+// Calls `take` with the clusters in view, as rows of KITTI tracking with a score. The 2D box is
+// that of the associated detection, otherwise the projected 3D box, in the left image read. The 3D
+// box is that of objects.csv, in rectified camera 0, as last estimated. Clusters with a predicted
+// pose are included; objects.csv states which ones they are.
+void ForEachTrackBox(const RunResult& run, const std::function<void(const ObjectBox&)>& take);
+
+// Writes these rows as tracks.kitti.
+void WriteKittiTracks(const RunResult& run, const TextSink& sink);
+
+// Text of clusters/<id>.tum: world_from_object as last estimated, in the frames in which the
+// cluster was tracked.
+std::string ClusterTum(const ClusterTrajectory& cluster);
+
+// Rows of landmarks.csv for the landmarks observed in one frame, in the order of their features, as
+// estimated when the frame was processed; pixels rounded to 0.01, metres and nats to 0.001.
+// `feature_truth`: one per feature, or empty.
+std::string LandmarkRows(int frame, const StereoFrame& given,
+                         const std::vector<LandmarkReport>& landmarks,
+                         const std::vector<LandmarkTruth>& feature_truth);
 
 }  // namespace cvo

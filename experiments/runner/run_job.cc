@@ -2,19 +2,239 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/run_job.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
 #include "core/files/json/options_json.h"
+#include "core/interface/frame.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/runner/frame_source.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
 
 namespace cvo {
+
+namespace {
+
+double SecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// The record of a frame before it is estimated. With `strict`, an image that cannot be decoded is
+// an Error.
+FrameRecord RecordOf(const RunRequest& request, std::size_t index, const PreparedFrame& prepared) {
+  const Sequence& sequence = request.sequence;
+  FrameRecord record;
+  record.frame = sequence.first_frame + static_cast<int>(index);
+  record.timestamp_ns = sequence.timestamps_ns[index];
+  const StereoPaths& paths = sequence.images[index];
+  for (const SideProblem& problem : prepared.problems) {
+    const std::filesystem::path& image = problem.side == 0 ? paths.left : paths.right;
+    if (request.strict) {
+      throw Error(StrCat(image.lexically_normal().string(), ": ", problem.reason));
+    }
+    record.problems.push_back(
+        {image.lexically_relative(sequence.folder).generic_string(), problem.reason});
+  }
+  return record;
+}
+
+// Ground truth of the bodies, kept separate from the estimator.
+struct TruthOfFrame {
+  BodyTruthReader* reader = nullptr;  // may be null
+  Oracle oracle;
+  double seconds = 0.0;  // spent here on the last frame
+};
+
+// Adds the boxes of the frame to the estimator's input.
+void AddDetections(const RunRequest& request, const std::vector<ObjectBox>& boxes,
+                   StereoFrame& frame, DetectionCounts& counts) {
+  frame.detections =
+      DetectionsOfFrame(boxes, {request.sequence.camera, request.sequence.detections_offset_m},
+                        frame.features, request.classes, counts);
+}
+
+// Returns the ground truth at the frame's features, and adds to the frame what the oracle gives.
+// Empty without ground truth.
+std::vector<LandmarkTruth> AddTruth(const RunRequest& request, int index, TruthOfFrame& truth,
+                                    StereoFrame& frame) {
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<LandmarkTruth> feature_truth;
+  if (truth.reader != nullptr) {
+    feature_truth = TruthOfFeatures(index, frame.features, request.sequence.camera, *truth.reader);
+  }
+  truth.oracle.Give(index, feature_truth, frame);
+  truth.seconds = SecondsSince(start);
+  return feature_truth;
+}
+
+// Counts landmarks that are alike: a frame has a thousand landmarks of a dozen kinds.
+std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& landmarks,
+                                         const std::vector<LandmarkTruth>& feature_truth) {
+  std::vector<LandmarkObservation> kinds;
+  if (feature_truth.empty()) return kinds;
+  for (const LandmarkReport& landmark : landmarks) {
+    const auto cluster = static_cast<std::int32_t>(landmark.cluster.value);
+    const LandmarkTruth& truth = feature_truth.at(static_cast<std::size_t>(landmark.feature));
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const LandmarkObservation& other) {
+          return other.cluster == cluster && other.truth == truth;
+        });
+    if (kind == kinds.end()) {
+      kinds.push_back({cluster, truth, 1});
+    } else {
+      ++kind->count;
+    }
+  }
+  return kinds;
+}
+
+// Appends the stage times of the last frame.
+void KeepTimes(const StageTimes& times_s, RunResult& result) {
+  for (const auto& [stage, time_s] : times_s) result.times_s.try_emplace(stage);
+  for (auto& [stage, of_frames] : result.times_s) {
+    of_frames.resize(result.frames.size(), std::numeric_limits<float>::quiet_NaN());
+    const auto time_s = times_s.find(stage);
+    if (time_s != times_s.end()) of_frames.back() = static_cast<float>(time_s->second);
+  }
+}
+
+// Processes one frame with the estimator. Throws what it throws.
+void Estimate(const StereoFrame& frame, Odometry& odometry, StageTimes& times_s,
+              FrameRecord& record) {
+  const ScopedStage stage(times_s, "estimate");
+  record.report = record.problems.empty() ? odometry.Process(frame, times_s)
+                                          : odometry.Skip(record.timestamp_ns);
+  record.refined_world_from_camera = record.report.world_from_camera;
+  record.detections = frame.detections;
+}
+
+// Passes the landmarks of a frame to `sink` and keeps only their counts.
+void GiveLandmarks(const StereoFrame& given, const std::vector<LandmarkTruth>& feature_truth,
+                   const LandmarkSink& sink, FrameRecord& record) {
+  const std::vector<LandmarkReport> landmarks = std::exchange(record.report.landmarks, {});
+  if (sink) sink(LandmarkRows(record.frame, given, landmarks, feature_truth));
+  record.landmarks = Observe(landmarks, feature_truth);
+}
+
+// Takes the final poses from the estimator. A failed run keeps its camera poses as they are, and no
+// trajectories of clusters.
+void Refine(const Odometry& odometry, RunResult& result) {
+  if (result.status == RunStatus::kFailed) return;
+  const std::vector<RigidTransform> poses = odometry.Trajectory();
+  Require(poses.size() == result.frames.size(), "Odometry: one pose per frame");
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    result.frames[i].refined_world_from_camera = poses[i];
+  }
+  result.clusters = odometry.ClusterTrajectories();
+}
+
+void JudgeStatus(RunResult& result) {
+  if (result.status == RunStatus::kFailed) return;
+  int lost = 0;
+  int first_lost = 0;
+  for (const FrameRecord& frame : result.frames) {
+    if (frame.report.status != FrameStatus::kLost) continue;
+    if (lost++ == 0) first_lost = frame.frame;
+  }
+  if (lost == 0) return;
+  result.status = RunStatus::kLost;
+  result.message =
+      StrCat(lost, " of ", result.frames.size(), " frames lost, the first is frame ", first_lost);
+}
+
+// Hashes of all images, from their files unless the request has them.
+std::vector<ImageHashes> ImagesOf(const RunRequest& request) {
+  return request.images.empty() ? FileHashes().OfImages(request.sequence) : request.images;
+}
+
+std::string JobOf(const RunRequest& request, const std::string& content) {
+  return JobIdentity({ThisBuild().identity, std::string(request.variant.name),
+                      ResolvedOptions(request.options), content, DetectionsHash(request.sequence),
+                      Given(request.sequence, request.classes, request.oracle), request.seed});
+}
+
+}  // namespace
+
+Json ResolvedOptions(Options options) { return OptionsToJson(OptionLeaves(options)); }
+
+Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
+           const OracleSwitches& oracle) {
+  return GivenToJson(sequence.detections.empty() ? std::vector<std::string>() : classes,
+                     oracle.Names());
+}
+
+std::string IdentifyJob(const RunRequest& request) {
+  return JobOf(request, ContentHash(request.sequence, ImagesOf(request)));
+}
+
+std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader* truth,
+                                     const LandmarkSink& landmarks) {
+  const Sequence& sequence = request.sequence;
+  Require(request.images.empty() || request.images.size() == sequence.images.size(),
+          "RunSequence: the hashes of all frames, or of none");
+  const std::vector<std::vector<ObjectBox>> boxes = DetectionsByFrame(sequence);
+  TruthOfFrame beside{truth, Oracle(sequence, request.oracle, truth)};
+  const auto run_start = std::chrono::steady_clock::now();
+  TaskPool pool(request.threads);
+  const std::unique_ptr<Odometry> odometry =
+      request.variant.make({sequence.camera, request.options, request.seed}, pool);
+  const std::unique_ptr<FrameSource> source =
+      OpenFrames({sequence, request.options, request.images, request.cache}, pool);
+
+  RunResult result{request};
+  std::vector<ImageHashes> hashes;
+  for (std::size_t i = 0; i < sequence.images.size(); ++i) {
+    const auto frame_start = std::chrono::steady_clock::now();
+    PreparedFrame prepared = source->Next();
+    prepared.times_s["wait_for_features"] = SecondsSince(frame_start);
+    hashes.push_back(prepared.hashes);
+    FrameRecord record = RecordOf(request, i, prepared);
+    StereoFrame frame{record.timestamp_ns, std::move(prepared.features), {}, {}};
+    std::vector<LandmarkTruth> feature_truth;
+    beside.seconds = 0.0;
+    if (record.problems.empty()) {
+      AddDetections(request, boxes[i], frame, result.detections);
+      feature_truth = AddTruth(request, static_cast<int>(i), beside, frame);
+    } else {
+      result.detections.skipped += static_cast<int>(boxes[i].size());
+    }
+    result.wall_s -= beside.seconds;
+    try {
+      Estimate(frame, *odometry, prepared.times_s, record);
+    } catch (const Error& error) {
+      result.status = RunStatus::kFailed;
+      result.message = StrCat("frame ", record.frame, ": ", error.what());
+      break;
+    }
+    GiveLandmarks(frame, feature_truth, landmarks, record);
+    result.frames.push_back(std::move(record));
+    prepared.times_s["frame"] = SecondsSince(frame_start) - beside.seconds;
+    KeepTimes(prepared.times_s, result);
+    request.progress(i + 1);
+    if (request.stop()) return std::nullopt;
+  }
+  result.wall_s += SecondsSince(run_start);
+  Refine(*odometry, result);
+  JudgeStatus(result);
+  if (result.status != RunStatus::kFailed) source->Finish();
+  // The identity of what was read does not depend on how far the run got.
+  if (hashes.size() < sequence.images.size()) hashes = ImagesOf(request);
+  result.content = ContentHash(sequence, hashes);
+  result.job = JobOf(request, result.content);
+  return result;
+}
 
 namespace {
 
@@ -32,25 +252,6 @@ void WarnOfMemory(const RunResult& run, std::vector<std::string>& warnings) {
   warnings.push_back(StrCat("the estimates of ", run.frames.size(), " frames took ",
                             std::round(held / 1e8) / 10.0,
                             " GB of memory: parts of the sequence (--frames) need less"));
-}
-
-std::vector<Metric> AllMetrics(const RunScores& scores) {
-  std::vector<Metric> all = scores.refined;
-  all.insert(all.end(), scores.causal.begin(), scores.causal.end());
-  all.insert(all.end(), scores.clustering.begin(), scores.clustering.end());
-  all.insert(all.end(), scores.boxes.begin(), scores.boxes.end());
-  all.insert(all.end(), scores.calibration.begin(), scores.calibration.end());
-  return all;
-}
-
-std::optional<reports::RunBodies> BodiesOf(const RunScores& scores) {
-  if (scores.refined_bodies.empty()) return std::nullopt;
-  return reports::RunBodies{{scores.refined_bodies.begin(), scores.refined_bodies.end()},
-                            {scores.causal_bodies.begin(), scores.causal_bodies.end()}};
-}
-
-Json GivenOf(const RunRequest& request) {
-  return Given(request.sequence, request.classes, request.oracle);
 }
 
 // Returns the absolute path of a file. Levels of a scene and "labels" are not files and are
@@ -74,31 +275,11 @@ reports::RunPaths PathsOf(const Sequence& sequence, const std::filesystem::path&
   return paths;
 }
 
-Json ResolvedOptions(const RunRequest& request) {
-  Options options = request.options;
-  return OptionsToJson(OptionLeaves(options));
-}
-
 }  // namespace
 
-Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
-           const OracleSwitches& oracle) {
-  return GivenToJson(sequence.detections.empty() ? std::vector<std::string>() : classes,
-                     oracle.Names());
-}
-
-std::string IdentifyJob(const RunRequest& request) {
-  const std::vector<ImageHashes> images =
-      request.images.empty() ? HashImages(request.sequence) : request.images;
-  return JobIdentity({ThisBuild().identity, std::string(request.variant.name),
-                      ResolvedOptions(request), ContentHash(request.sequence, images),
-                      DetectionsHash(request.sequence), GivenOf(request), request.seed});
-}
-
-std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
-  const BuildIdentity build = ThisBuild();
+std::optional<RunResult> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
   const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(request.sequence);
-  const std::optional<Vector6d> right_field_px = TrueRightField(request.sequence);
+  const ObjectTruth* bodies = truth ? &truth->objects() : nullptr;
   std::optional<StagedFile> landmarks;
   LandmarkSink sink;
   if (request.landmarks) {
@@ -107,54 +288,15 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
   }
   std::optional<RunResult> run = RunSequence(request, truth.get(), sink);
   if (!run) return std::nullopt;
-
-  const ObjectTruth* bodies = truth ? &truth->objects() : nullptr;
-  JobOutcome outcome{std::move(*run), {}, ThisProcess()};
-  outcome.warnings = FindImplausible(request.sequence, bodies);
-  outcome.scores = ScoreRun(request.sequence, outcome.run, {bodies, right_field_px});
-  const RunRecord record{.sequence = request.sequence,
-                         .build = build,
-                         .variant = std::string(request.variant.name),
-                         .options = ResolvedOptions(request),
-                         .given = GivenOf(request),
-                         .seed = request.seed,
-                         .metrics = AllMetrics(outcome.scores),
-                         .bodies = BodiesOf(outcome.scores),
-                         .run = outcome.run,
-                         .truth = {.camera = &request.sequence.groundtruth_world_from_camera,
-                                   .objects = bodies,
-                                   .truth_from_estimate = outcome.scores.truth_from_estimate,
-                                   .bodies = &outcome.scores.refined_bodies},
-                         .warnings = outcome.warnings};
-  outcome.context.job = RecordedJob(record);
-  outcome.context.threads = request.threads;
-  outcome.context.paths = PathsOf(request.sequence, folder);
-  WriteRunFiles(folder, record, outcome.context, std::move(landmarks));
-  WarnOfMemory(outcome.run, outcome.warnings);  // no part of the result
-  return outcome;
-}
-
-JobCache::JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes,
-                   const FileHashHooks& hooks)
-    : folder_(cache_folder),
-      hooks_(hooks),
-      hashes_(cache_folder / "hashes"),
-      front_end_(cache_folder / "frontend", limit_bytes, hooks.notice) {}
-
-std::vector<std::string> JobCache::HashesOf(const std::vector<std::filesystem::path>& files,
-                                            int threads) const {
-  TaskPool pool(threads);
-  return FindFileHashes(files, hashes_, pool, hooks_);
-}
-
-std::vector<ImageHashes> JobCache::ImagesOf(const Sequence& sequence, int threads) const {
-  TaskPool pool(threads);
-  return FindImageHashes(sequence, hashes_, pool, hooks_);
-}
-
-void JobCache::Serve(RunRequest& request) const {
-  request.images = ImagesOf(request.sequence, request.threads);
-  request.cache = &front_end_;
+  run->timing = ThisProcess();
+  run->timing.job = run->job;
+  run->timing.threads = request.threads;
+  run->timing.paths = PathsOf(request.sequence, folder);
+  run->warnings = FindImplausible(request.sequence, bodies);
+  run->scores = ScoreRun(*run, bodies);
+  WriteRunFiles(folder, *run, bodies, std::move(landmarks));
+  WarnOfMemory(*run, run->warnings);  // no part of the result
+  return run;
 }
 
 }  // namespace cvo

@@ -4,62 +4,85 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "experiments/runner/file_hashes.h"
+#include "core/files/json/json.h"
+#include "experiments/datasets/body_truth.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/metrics/objects/object_matching.h"
+#include "experiments/metrics/objects/object_scores.h"
+#include "experiments/metrics/pose_errors.h"
 #include "experiments/runner/front_end_cache.h"
-#include "experiments/runner/run_files.h"
-#include "experiments/runner/run_sequence.h"
-#include "experiments/runner/score_run.h"
+#include "experiments/runner/identity.h"
+#include "experiments/runner/run_result.h"
 
 namespace cvo {
 
-struct JobOutcome {
-  RunResult run;
-  RunScores scores;
-  reports::TimingData context = {};
-  std::vector<std::string> warnings = {};  // of FindImplausible, and of much memory
-};
+// Returns the estimator's options as nested JSON.
+Json ResolvedOptions(Options options);
 
 // Returns GivenToJson of a job. Classes only count if there are boxes.
 Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
            const OracleSwitches& oracle);
 
-// Returns the JobIdentity of what RunJob would do, from the bytes of the sequence's files; nothing
-// is decoded. Does not read images whose hashes are in the request.
+// Returns the JobIdentity of what RunSequence would do, from the bytes of the sequence's files;
+// nothing is decoded. Does not read images whose hashes are in the request.
 std::string IdentifyJob(const RunRequest& request);
+
+// Receives the LandmarkRows of each frame.
+using LandmarkSink = std::function<void(const std::string& rows)>;
+
+// Runs the variant over every frame of the sequence. Returns nothing if `stop` ended the run. An
+// Error of the estimator itself is a result too (status failed, with the frames so far); all others
+// are thrown. With `truth`, the ground truth of landmarks is recorded; the time for that does not
+// count as the run's.
+[[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request,
+                                                   BodyTruthReader* truth = nullptr,
+                                                   const LandmarkSink& landmarks = {});
+
+// Scores a run. `objects`: the ground truth of the bodies; null: there is none.
+RunScores ScoreRun(const RunResult& run, const ObjectTruth* objects = nullptr);
+
+// The metrics of camera and bodies of an estimate, whichever system made it.
+struct PoseScores {
+  std::vector<Metric> metrics;  // camera_*, object_*
+  std::vector<BodyScore> bodies;
+};
+PoseScores ScorePoses(const Sequence& sequence, const ObjectTruth* objects,
+                      const ObjectEstimate& estimate);
+
+// Returns what a run states about the bodies, with poses as first estimated (causal) or as last
+// estimated (refined). Skipped frames have no camera pose. There is one element per frame of the
+// run.
+ObjectEstimate ObjectEstimateOf(const RunResult& run, reports::PoseTime time);
 
 // Runs the job, scores it and writes its files to an existing folder (WriteRunFiles). Returns
 // nothing if the request's `stop` ended the run; no file is written then.
-[[nodiscard]] std::optional<JobOutcome> RunJob(const RunRequest& request,
-                                               const std::filesystem::path& folder);
+[[nodiscard]] std::optional<RunResult> RunJob(const RunRequest& request,
+                                              const std::filesystem::path& folder);
 
-// The caches that runs share, below the cache folder: features (frontend/) and hashes of files
-// (hashes/).
-class JobCache {
- public:
+// The caches that runs share, below the cache folder.
+struct JobCache {
   // `limit_bytes` is that of the features; see CacheLimit.
-  JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes,
-           const FileHashHooks& hooks);
+  JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes, int threads,
+           const FileHashHooks& hooks)
+      : folder(cache_folder),
+        hashes{cache_folder / "hashes", threads, hooks},
+        features(cache_folder / "frontend", limit_bytes, hooks.notice) {}
 
-  const std::filesystem::path& folder() const { return folder_; }
-
-  // See FindFileHashes.
-  std::vector<std::string> HashesOf(const std::vector<std::filesystem::path>& files,
-                                    int threads) const;
-  // Returns the hashes of the sequence's images, for ContentHash and IdentifyJob.
-  std::vector<ImageHashes> ImagesOf(const Sequence& sequence, int threads) const;
   // Fills in the image hashes of the request and lets it use the cached features. The cache must
   // outlive the request.
-  void Serve(RunRequest& request) const;
+  void Serve(RunRequest& request) const {
+    request.images = hashes.OfImages(request.sequence);
+    request.cache = &features;
+  }
 
- private:
-  std::filesystem::path folder_;
-  FileHashHooks hooks_;
-  std::filesystem::path hashes_;
-  FrontEndCache front_end_;
+  std::filesystem::path folder;
+  FileHashes hashes;
+  FrontEndCache features;
 };
 
 }  // namespace cvo

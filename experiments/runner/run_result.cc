@@ -7,8 +7,6 @@
 #include <limits>
 #include <map>
 
-#include "core/base/error.h"
-
 namespace cvo {
 
 namespace {
@@ -84,15 +82,8 @@ std::optional<ImageBox> ProjectedBox(const LiveCluster& row, const StereoCamera&
 }
 
 const char* ToString(RunStatus status) {
-  switch (status) {
-    case RunStatus::kOk:
-      return "ok";
-    case RunStatus::kLost:
-      return "lost";
-    case RunStatus::kFailed:
-      return "failed";
-  }
-  throw Error("RunStatus: not one of the enumerators");
+  static constexpr std::array kNames = {"ok", "lost", "failed"};
+  return kNames.at(static_cast<std::size_t>(status));
 }
 
 }  // namespace cvo

@@ -11,9 +11,33 @@
 
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
-#include "experiments/metrics/objects/object_matching.h"
+#include "core/record/run_summary.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/metrics/objects/object_scores.h"
+#include "experiments/runner/given.h"
+#include "experiments/runner/identity.h"
+#include "variants/registry.h"
 
 namespace cvo {
+
+class FrontEndCache;
+
+// What a run is asked to do.
+struct RunRequest {
+  const Sequence& sequence;
+  const VariantInfo& variant;
+  Options options;
+  std::uint64_t seed = 0;
+  int threads = 1;                                    // results do not depend on it
+  std::vector<std::string> classes = RigidClasses();  // of the detections that are used
+  OracleSwitches oracle = {};
+  bool landmarks = false;  // RunJob writes landmarks.csv
+  bool strict = false;     // an image that cannot be decoded is an error, not a skipped frame
+  std::vector<ImageHashes> images = {};  // of every frame, from FileHashes; empty: unknown
+  const FrontEndCache* cache = nullptr;  // needs `images`; results do not depend on it
+  std::function<void(std::size_t done)> progress = [](std::size_t) {};
+  std::function<bool()> stop = [] { return false; };  // called after every frame
+};
 
 // An image that could not be decoded.
 struct ImageProblem {
@@ -34,15 +58,6 @@ struct FrameRecord {
   std::vector<ImageProblem> problems;          // why the frame was skipped
 };
 
-// What happened to a sequence's boxes in the processed frames.
-struct DetectionCounts {
-  int given = 0;          // passed to the estimator
-  int outside = 0;        // left out: entirely outside the image
-  int skipped = 0;        // left out: in frames without images
-  int without_depth = 0;  // passed on unmoved although detected in another camera's image
-  std::map<std::string, int> other_classes;  // left out: of classes that were not requested
-};
-
 enum class RunStatus {
   kOk,
   kLost,    // some frames have only a predicted pose although their images are fine
@@ -50,17 +65,32 @@ enum class RunStatus {
 };
 const char* ToString(RunStatus status);
 
-struct RunResult {
+// The metrics of a run against the sequence's ground truth. A skipped frame has no estimate; a lost
+// frame counts with its predicted pose. Empty if there is no ground truth or the run failed.
+struct RunScores {
+  std::vector<Metric> metrics;         // refined, causal, clustering, boxes, calibration
+  RigidTransform truth_from_estimate;  // between the worlds, from refined poses
+  std::vector<BodyScore> refined_bodies;
+  std::vector<BodyScore> causal_bodies;
+};
+
+// A run: what it was asked to do, what came of it, and how good that is.
+struct RunResult : RunRequest {
   RunStatus status = RunStatus::kOk;
-  std::string message;  // empty if ok
-  std::string content;  // hash of the sequence: images, text files and parameters
-  std::vector<FrameRecord> frames;
-  std::vector<ClusterTrajectory> clusters;  // as last estimated, by id; empty if the run failed
-  DetectionCounts detections;
+  std::string message = {};  // empty if ok
+  std::string content = {};  // hash of the sequence: images, text files and parameters
+  std::string job = {};      // JobIdentity
+  std::vector<FrameRecord> frames = {};
+  std::vector<ClusterTrajectory> clusters = {};  // as last estimated, by id; empty if it failed
+  DetectionCounts detections = {};
   // Wall time of every frame by stage, NaN in frames without this stage. It is measured and
   // therefore never part of a result.
-  std::map<std::string, std::vector<float>> times_s;
+  std::map<std::string, std::vector<float>> times_s = {};
   double wall_s = 0.0;
+  // From RunJob on:
+  RunScores scores = {};
+  std::vector<std::string> warnings = {};  // of FindImplausible, and of much memory
+  reports::TimingData timing = {};
 };
 
 // Whether no pose was estimated for the frame, so that the trajectory contains a predicted one.

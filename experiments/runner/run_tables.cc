@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/runner/run_tables.h"
-
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
@@ -13,8 +11,9 @@
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "core/geometry/rigid_transform.h"
-#include "core/record/run_rows.h"
+#include "core/record/csv_rows.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/runner/run_files.h"
 
 namespace cvo {
 namespace {
@@ -40,7 +39,7 @@ std::optional<std::int64_t> LabelOf(ClusterId id) {
 
 }  // namespace
 
-void WriteObjectTable(const Sequence& sequence, const RunResult& run, const TextSink& sink) {
+void WriteObjectTable(const RunResult& run, const TextSink& sink) {
   sink(CsvHeader<reports::ObjectRow>() + "\n");
   ForEachLiveCluster(run, [&](const LiveCluster& cluster) {
     const ClusterReport& report = cluster.Last();
@@ -62,7 +61,7 @@ void WriteObjectTable(const Sequence& sequence, const RunResult& run, const Text
     row.half_size_m = report.half_size_m;
     row.object_from_box = report.box.object_from_box;
     row.size_m = report.box.size_m;
-    row.projected_box = ProjectedBox(cluster, sequence.camera);
+    row.projected_box = ProjectedBox(cluster, run.sequence.camera);
     row.observed_landmarks = report.observed_landmarks;
     if (report.detection >= 0) row.detection = report.detection;
     row.score = report.score;
@@ -134,10 +133,9 @@ std::optional<ImageBox> Box2d(const LiveCluster& cluster, const StereoCamera& ca
 
 }  // namespace
 
-void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
-                     const std::function<void(const ObjectBox&)>& take) {
+void ForEachTrackBox(const RunResult& run, const std::function<void(const ObjectBox&)>& take) {
   ForEachLiveCluster(run, [&](const LiveCluster& cluster) {
-    const std::optional<ImageBox> box2d = Box2d(cluster, sequence.camera);
+    const std::optional<ImageBox> box2d = Box2d(cluster, run.sequence.camera);
     if (!box2d) return;
     ObjectBox box;
     box.frame = cluster.frame.frame;
@@ -147,14 +145,14 @@ void ForEachTrackBox(const Sequence& sequence, const RunResult& run,
     box.top_px = box2d->top_px;
     box.right_px = box2d->right_px;
     box.bottom_px = box2d->bottom_px;
-    box.box3d = UprightBox(cluster, sequence.left_offset_m);
+    box.box3d = UprightBox(cluster, run.sequence.left_offset_m);
     box.score = cluster.Last().score;
     take(box);
   });
 }
 
-void WriteKittiTracks(const Sequence& sequence, const RunResult& run, const TextSink& sink) {
-  ForEachTrackBox(sequence, run, [&sink](const ObjectBox& box) {
+void WriteKittiTracks(const RunResult& run, const TextSink& sink) {
+  ForEachTrackBox(run, [&sink](const ObjectBox& box) {
     const ObjectBox::Box3d& box3d = *box.box3d;
     const Eigen::Vector3d& bottom = box3d.bottom_in_camera;
     std::string line = StrCat(box.frame, " ", box.track, " ", box.type, " -1 -1");

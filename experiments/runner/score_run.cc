@@ -1,24 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/runner/score_run.h"
-
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "experiments/datasets/body_truth.h"
 #include "experiments/metrics/boxes/average_precision.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/objects/object_scores.h"
-#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_files.h"
+#include "experiments/runner/run_job.h"
 #include "experiments/runner/run_result.h"
-#include "experiments/runner/run_tables.h"
 
 namespace cvo {
 namespace {
 
-void Append(std::vector<Metric> from, std::vector<Metric>& to) {
-  for (Metric& metric : from) to.push_back(std::move(metric));
+// Appends metrics of poses of that time.
+void Append(std::vector<Metric> from, reports::PoseTime poses, const Sequence& sequence,
+            std::vector<Metric>& to) {
+  StatePoses(poses, sequence.camera.right_shift_px, from);
+  std::move(from.begin(), from.end(), std::back_inserter(to));
 }
 
 // Renames metrics to their causal form, for example "camera_ate" to "camera_causal_ate". Removes
@@ -45,84 +49,86 @@ ClusterFrame FrameOf(const ClusterReport& report, std::size_t frame) {
   return cluster;
 }
 
-// Returns whether clusters are matched to bodies by landmarks; otherwise selects nearness.
-bool MatchByTruth(const ObjectTruth* objects, ObjectEstimate& estimate) {
-  const bool by_landmarks = objects != nullptr && objects->tells_pixels;
-  if (!by_landmarks) estimate.match_by = MatchBy::kNearness;
-  return by_landmarks;
+// An estimate of the run that is matched to bodies by landmarks where the truth tells pixels.
+ObjectEstimate MatchedEstimate(const RunResult& run, const ObjectTruth* objects,
+                               reports::PoseTime time) {
+  ObjectEstimate estimate = ObjectEstimateOf(run, time);
+  if (objects == nullptr || !objects->tells_pixels) estimate.match_by = MatchBy::kNearness;
+  return estimate;
 }
 
-std::vector<Metric> CameraMetrics(const Sequence& sequence, const ObjectEstimate& estimate) {
-  return EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
-                        EnumOf<reports::TruthSource>(sequence.groundtruth));
-}
-
-void ScoreRefined(const Sequence& sequence, ObjectEstimate refined, const ObjectTruth* objects,
-                  RunScores& scores) {
-  MatchByTruth(objects, refined);
-  scores.refined = CameraMetrics(sequence, refined);
+void ScoreRefined(const RunResult& run, const ObjectTruth* objects, RunScores& scores) {
+  const ObjectEstimate refined = MatchedEstimate(run, objects, reports::PoseTime::kRefined);
+  PoseScores poses = ScorePoses(run.sequence, objects, refined);
+  Append(std::move(poses.metrics), reports::PoseTime::kRefined, run.sequence, scores.metrics);
+  scores.refined_bodies = std::move(poses.bodies);
   scores.truth_from_estimate =
-      AlignByCamera(sequence.groundtruth_world_from_camera, refined.world_from_camera);
-  if (objects == nullptr) return;
-  ObjectScores of_refined = ScoreObjects(*objects, refined);
-  Append(ObjectMetrics(*objects, of_refined), scores.refined);
-  scores.refined_bodies = std::move(of_refined.bodies);
+      AlignByCamera(run.sequence.groundtruth_world_from_camera, refined.world_from_camera);
 }
 
-void ScoreCausal(const Sequence& sequence, ObjectEstimate causal, const ObjectTruth* objects,
-                 RunScores& scores) {
-  const bool by_landmarks = MatchByTruth(objects, causal);
-  scores.causal = CameraMetrics(sequence, causal);
-  if (objects == nullptr) return;
-  ObjectScores of_causal = ScoreObjects(*objects, causal);
-  Append(ObjectMetrics(*objects, of_causal), scores.causal);
-  if (by_landmarks) {
-    scores.clustering = ClusteringMetrics(*objects, causal, MatchObjects(*objects, causal));
-  }
-  scores.causal_bodies = std::move(of_causal.bodies);
+void ScoreCausal(const RunResult& run, const ObjectTruth* objects, RunScores& scores) {
+  const ObjectEstimate causal = MatchedEstimate(run, objects, reports::PoseTime::kCausal);
+  PoseScores poses = ScorePoses(run.sequence, objects, causal);
+  NameCausal(poses.metrics);
+  Append(std::move(poses.metrics), reports::PoseTime::kCausal, run.sequence, scores.metrics);
+  scores.causal_bodies = std::move(poses.bodies);
+  if (objects == nullptr || !objects->tells_pixels) return;
+  Append(ClusteringMetrics(*objects, causal, MatchObjects(*objects, causal)),
+         reports::PoseTime::kCausal, run.sequence, scores.metrics);
 }
 
 }  // namespace
 
-RunScores ScoreRun(const Sequence& sequence, const RunResult& run, const RunTruth& truth) {
-  if (run.status == RunStatus::kFailed) return {};
-  RunScores scores;
-  // The estimates are made one after the other, as each holds all poses of a run.
-  ScoreRefined(sequence, ObjectEstimateOf(run, PoseTime::kRefined), truth.objects, scores);
-  ScoreCausal(sequence, ObjectEstimateOf(run, PoseTime::kCausal), truth.objects, scores);
-  if (TellsBoxes(sequence)) {
-    std::vector<ObjectBox> boxes;
-    ForEachTrackBox(sequence, run, [&boxes](const ObjectBox& box) { boxes.push_back(box); });
-    scores.boxes = BoxMetrics(sequence, boxes);
-  }
-  const std::optional<CalibrationReport> found = LastCalibration(run);
-  if (found && truth.right_field_px) {
-    scores.calibration = EvaluateCalibration(*truth.right_field_px, *found);
-  }
-  const double shift_px = sequence.camera.right_shift_px;
-  StatePoses(reports::PoseTime::kRefined, shift_px, scores.refined);
-  StatePoses(reports::PoseTime::kCausal, shift_px, scores.causal);
-  StatePoses(reports::PoseTime::kCausal, shift_px, scores.clustering);
-  StatePoses(reports::PoseTime::kRefined, shift_px, scores.boxes);
-  StatePoses(reports::PoseTime::kCausal, shift_px, scores.calibration);
-  NameCausal(scores.causal);
+PoseScores ScorePoses(const Sequence& sequence, const ObjectTruth* objects,
+                      const ObjectEstimate& estimate) {
+  PoseScores scores{
+      EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
+                     EnumOf<reports::TruthSource>(sequence.groundtruth)),
+      {}};
+  if (objects == nullptr) return scores;
+  ObjectScores of_objects = ScoreObjects(*objects, estimate);
+  std::vector<Metric> metrics = ObjectMetrics(*objects, of_objects);
+  std::move(metrics.begin(), metrics.end(), std::back_inserter(scores.metrics));
+  scores.bodies = std::move(of_objects.bodies);
   return scores;
 }
 
-ObjectEstimate ObjectEstimateOf(const RunResult& run, PoseTime time) {
+RunScores ScoreRun(const RunResult& run, const ObjectTruth* objects) {
+  if (run.status == RunStatus::kFailed) return {};
+  const Sequence& sequence = run.sequence;
+  RunScores scores;
+  // One after the other, as each estimate holds all poses of a run.
+  ScoreRefined(run, objects, scores);
+  ScoreCausal(run, objects, scores);
+  if (TellsBoxes(sequence)) {
+    std::vector<ObjectBox> boxes;
+    ForEachTrackBox(run, [&boxes](const ObjectBox& box) { boxes.push_back(box); });
+    Append(BoxMetrics(sequence, boxes), reports::PoseTime::kRefined, sequence, scores.metrics);
+  }
+  const std::optional<CalibrationReport> found = LastCalibration(run);
+  const std::optional<Vector6d> truth = TrueRightField(sequence);
+  if (found && truth) {
+    Append(EvaluateCalibration(*truth, *found), reports::PoseTime::kCausal, sequence,
+           scores.metrics);
+  }
+  return scores;
+}
+
+ObjectEstimate ObjectEstimateOf(const RunResult& run, reports::PoseTime time) {
   ObjectEstimate estimate;
   int first_frame = 0;
   for (const FrameRecord& frame : run.frames) {
     if (estimate.landmarks.empty()) first_frame = frame.frame;
-    const RigidTransform& pose = time == PoseTime::kCausal ? frame.report.world_from_camera
-                                                           : frame.refined_world_from_camera;
+    const RigidTransform& pose = time == reports::PoseTime::kCausal
+                                     ? frame.report.world_from_camera
+                                     : frame.refined_world_from_camera;
     const bool skipped = frame.report.status == FrameStatus::kSkipped;
     estimate.world_from_camera.push_back(skipped ? std::nullopt : std::optional(pose));
     estimate.landmarks.push_back(frame.landmarks);
   }
   std::map<ClusterId, ClusterEstimate> clusters;
   ForEachLiveCluster(run, [&](const LiveCluster& row) {
-    const ClusterReport* report = time == PoseTime::kCausal ? row.causal : &row.Last();
+    const ClusterReport* report = time == reports::PoseTime::kCausal ? row.causal : &row.Last();
     if (!report) return;
     ClusterEstimate& cluster = clusters[row.id];
     cluster.id = row.id.value;

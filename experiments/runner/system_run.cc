@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/files/atomic_file.h"
 #include "core/files/sha256.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
@@ -18,12 +17,11 @@
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/objects/object_scores.h"
 #include "experiments/metrics/pose_errors.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/runner/identity.h"
-#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_files.h"
+#include "experiments/runner/run_job.h"
 
 namespace cvo {
 namespace {
@@ -223,7 +221,7 @@ Json FramesToJson(const Sequence& sequence, const OptionalPoses& poses) {
     frames.push_back({{"frame", sequence.first_frame + static_cast<int>(k)},
                       {"timestamp_ns", sequence.timestamps_ns[k]},
                       {"status", ToString(pose ? FrameStatus::kTracked : FrameStatus::kSkipped)},
-                      {"refined", pose ? PoseToJson(*pose) : Json(nullptr)}});
+                      {"refined", pose ? Json(PoseOf(*pose)) : Json(nullptr)}});
   }
   return frames;
 }
@@ -241,12 +239,6 @@ Json ClustersToJson(int first_frame, const std::vector<ClusterEstimate>& estimat
   return clusters;
 }
 
-// Hashes of the bytes of the files that another system wrote.
-struct SystemHashes {
-  std::string camera;
-  std::string objects;  // empty: no file
-};
-
 // Hashes a file, or the names and bytes of the trajectories in a folder.
 std::string HashObjects(const fs::path& objects) {
   if (objects.empty()) return "";
@@ -263,49 +255,31 @@ std::string HashObjects(const fs::path& objects) {
   return Sha256Hex(DumpJson(hashes));
 }
 
-SystemHashes HashesOf(const SystemFiles& files) {
-  return {Sha256Hex(ReadFileBytes(files.camera)), HashObjects(files.objects)};
+// Hashes of the bytes of the files that another system wrote; without objects, that is empty.
+Json HashesOf(const SystemFiles& files) {
+  return {{"camera", Sha256Hex(ReadFileBytes(files.camera))},
+          {"objects", HashObjects(files.objects)}};
 }
 
 // The whole build is part of the identity: the readers of the ground truth and the geometry needed
 // for scoring are among the estimator's sources.
-std::string SystemJob(const SystemRequest& request, const SystemHashes& hashes) {
-  return JobIdentity({ThisBuild().identity,
-                      reports::SystemVariant(request.files.name),
-                      {{"camera", hashes.camera}, {"objects", hashes.objects}},
-                      request.content,
-                      "",
-                      GivenToJson({}, {}),
-                      request.seed});
-}
-
-void Score(const SystemRequest& request, const ObjectTruth* truth, SystemOutcome& outcome) {
-  const Sequence& sequence = request.sequence;
-  outcome.metrics =
-      EvaluateCamera(sequence.groundtruth_world_from_camera, outcome.objects.world_from_camera,
-                     EnumOf<reports::TruthSource>(sequence.groundtruth));
-  if (truth != nullptr) {
-    ObjectScores scores = ScoreObjects(*truth, outcome.objects);
-    for (Metric& metric : ObjectMetrics(*truth, scores)) {
-      outcome.metrics.push_back(std::move(metric));
-    }
-    outcome.bodies = std::move(scores.bodies);
-  }
-  StatePoses(reports::PoseTime::kRefined, request.right_shift_px, outcome.metrics);
+std::string SystemJob(const SystemRequest& request, const Json& hashes) {
+  return JobIdentity({ThisBuild().identity, reports::SystemVariant(request.files.name), hashes,
+                      request.content, "", GivenToJson({}, {}), request.seed});
 }
 
 // Returns the content of result.json, of kind "run" like that of an own run. Poses are the system's
 // own, null in frames without one.
 std::string ResultOf(const SystemRequest& request, const ObjectTruth* truth,
                      const SystemOutcome& outcome) {
-  const SystemHashes hashes = HashesOf(request.files);
+  const Json hashes = HashesOf(request.files);
   reports::RunSummary summary;
   summary.job = SystemJob(request, hashes);
   summary.status = ToString(RunStatus::kOk);
   summary.variant = reports::SystemVariant(request.files.name);
   summary.system = Json{{"name", request.files.name},
-                        {"camera", hashes.camera},
-                        {"objects", hashes.objects.empty() ? Json(nullptr) : Json(hashes.objects)},
+                        {"camera", hashes["camera"]},
+                        {"objects", hashes["objects"] == "" ? Json(nullptr) : hashes["objects"]},
                         {"object_frames", outcome.object_frames},
                         {"object_frames_left_out", outcome.object_frames_left_out}};
   summary.seed = request.seed;
@@ -341,14 +315,11 @@ SystemOutcome ScoreSystem(const SystemRequest& request) {
   const std::unique_ptr<BodyTruthReader> reader =
       request.files.objects.empty() ? nullptr : ReadBodyTruth(request.sequence);
   const ObjectTruth* truth = reader ? &reader->objects() : nullptr;
-  Score(request, truth, outcome);
+  PoseScores scores = ScorePoses(request.sequence, truth, outcome.objects);
+  outcome.metrics = std::move(scores.metrics);
+  outcome.bodies = std::move(scores.bodies);
+  StatePoses(reports::PoseTime::kRefined, request.right_shift_px, outcome.metrics);
   outcome.result = ResultOf(request, truth, outcome);
-  return outcome;
-}
-
-SystemOutcome ScoreSystem(const SystemRequest& request, const fs::path& folder) {
-  SystemOutcome outcome = ScoreSystem(request);
-  WriteFilesAtomically(folder, {{"result.json", outcome.result}});
   return outcome;
 }
 

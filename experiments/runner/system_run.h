@@ -66,7 +66,4 @@ std::string IdentifySystem(const SystemRequest& request);
 // field that is not finite.
 SystemOutcome ScoreSystem(const SystemRequest& request);
 
-// Does the same and writes result.json to an existing folder.
-SystemOutcome ScoreSystem(const SystemRequest& request, const std::filesystem::path& folder);
-
 }  // namespace cvo

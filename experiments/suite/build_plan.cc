@@ -8,15 +8,11 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/task_pool.h"
 #include "core/files/json/options_json.h"
-#include "experiments/runner/file_hashes.h"
 #include "experiments/runner/front_end_cache.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/system_run.h"
-#include "experiments/suite/job_input.h"
-#include "experiments/suite/plan_inputs.h"
 #include "experiments/suite/suite.h"
 #include "synth/write/render_cache.h"
 
@@ -40,7 +36,7 @@ std::string PlanText(const Plan& plan) {
   file.build = plan.build;
   file.data = plan.data;
   file.table = plan.suite.table;
-  file.definition = SuiteToJson(plan.suite);
+  file.definition = plan.suite.definition;
   file.jobs = plan.jobs;
   return FileText(file);
 }
@@ -80,12 +76,9 @@ struct Input {
 // What jobs of one variant at one grid point share.
 struct VariantAtPoint {
   Options options;
-  std::string identity_head;
+  Json json;              // the same
   std::string front_end;  // front-end options, as text
 };
-
-constexpr std::size_t kNameDigits = 8;
-constexpr std::size_t kMaxResolved = 10'000;  // 7 kB each
 
 fs::path Absolute(const fs::path& path) {
   return path.empty() ? path : fs::absolute(path).lexically_normal();
@@ -98,15 +91,14 @@ class Planner {
         request_(request),
         data_(Absolute(request.data)),
         scenes_(Absolute(request.cache)),
-        pool_(request.threads),
-        hash_index_(Absolute(request.cache) / "hashes") {
-    hooks_.notice = request.notice;
+        hashes_{Absolute(request.cache) / "hashes"} {
+    hashes_.hooks.notice = request.notice;
   }
 
   BuiltPlan Build() {
     BuiltPlan built;
     built.plan.suite = suite_;
-    built.plan.build = build_.identity;
+    built.plan.build = ThisBuild().identity;
     built.plan.data = data_.root().string();
     built.plan.jobs = ExpandSuite(suite_);
     for (std::size_t i = 0; i < built.plan.jobs.size(); ++i) {
@@ -114,20 +106,16 @@ class Planner {
       if (request_.progress) request_.progress(i + 1, built.plan.jobs.size());
     }
     OrderPreparations();
-    for (auto& [key, wanted] : wanted_) built.preparations.push_back(std::move(wanted));
+    built.preparations = std::move(wanted_);
     return built;
   }
 
  private:
   const SuiteSequence& SequenceOf(const PlanJob& job) const { return suite_.sequences[job.entry]; }
 
-  void AddRender(const RenderedScene& scene, const PlanJob& job) {
-    if (!wanted_outputs_.insert(scene.folder).second) return;
-    const std::string name =
-        StrCat("render-", job.sequence, "-", scene.folder.parent_path().filename().string());
-    wanted_.push_back({scene.drawing,
-                       {name, job.sequence, scene.folder, scene.arguments, scene.frames,
-                        scene.drawn ? Stage::kNoise : Stage::kDrawing}});
+  void Want(Preparation preparation) {
+    if (wanted_outputs_.insert(preparation.output).second)
+      wanted_.push_back(std::move(preparation));
   }
 
   Sequence Opened(PlanJob job, const Input& input) const {
@@ -139,45 +127,39 @@ class Planner {
   // Locates the file of a detector's boxes; adds a preparation if it does not exist or is damaged.
   void FindBoxes(const PlanJob& job, Input& input) {
     const Sequence sequence = Opened(job, input);
-    input.frames = static_cast<int>(sequence.images.size());
-    const DetectedBoxes boxes = FindDetectedBoxes(
-        {SequenceOf(job), sequence, FindImageHashes(sequence, hash_index_, pool_, hooks_),
-         data_.root(), Absolute(request_.cache)},
-        hash_);
-    input.boxes = boxes.file.string();
-    if (boxes.whole) return;
+    Preparation detection =
+        FindDetection({SequenceOf(job), sequence, data_.root(), Absolute(request_.cache)}, hashes_);
+    input.frames = detection.frames;
+    input.boxes = detection.output.string();
+    if (AreWhole(detection.output, hashes_)) return;
     std::error_code ignored;
-    if (fs::exists(boxes.file, ignored)) {
+    if (fs::exists(detection.output, ignored)) {
       request_.notice("cached boxes are damaged and will be found again:  " + input.boxes);
     }
     input.missing = kNotDetected;
-    if (!wanted_outputs_.insert(boxes.file).second) return;
-    const std::string name =
-        StrCat("detect-", job.sequence, "-", boxes.file.stem().string().substr(0, kNameDigits));
-    wanted_.push_back(
-        {"", {name, job.sequence, boxes.file, boxes.arguments, input.frames, Stage::kBoxes}});
+    Want(std::move(detection));
   }
 
   // A damaged scene is drawn again too, because it shares files with the cached drawing.
-  bool IsRendered(RenderedScene& scene) {
+  bool IsRendered(Preparation& scene) {
     std::error_code ignored;
-    if (!fs::exists(scene.folder / synth::kManifestName, ignored)) return false;
-    const auto damage = FindSceneDamage(scene.folder, hash_);
+    if (!fs::exists(scene.output / synth::kManifestName, ignored)) return false;
+    const auto damage = FindSceneDamage(scene.output, hashes_);
     if (!damage) return true;
     request_.notice("a cached scene is damaged and will be rendered again:  " + *damage);
-    scene.drawn = false;
+    scene.stage = Stage::kDrawing;
     return false;
   }
 
   // Of the scenes that share a drawing one draws it, unless the cache has it.
   void OrderPreparations() {
     std::set<std::string> drawing;
-    for (auto& [key, wanted] : wanted_) {
-      if (wanted.stage == Stage::kDrawing && !drawing.insert(key).second)
-        wanted.stage = Stage::kNoise;
+    for (Preparation& wanted : wanted_) {
+      if (wanted.stage != Stage::kDrawing || drawing.insert(wanted.drawing).second) continue;
+      wanted.stage = Stage::kNoise;
     }
     std::stable_sort(wanted_.begin(), wanted_.end(),
-                     [](const auto& a, const auto& b) { return a.second.stage < b.second.stage; });
+                     [](const auto& a, const auto& b) { return a.stage < b.stage; });
   }
 
   void Open(const PlanJob& job, Input& input) {
@@ -185,8 +167,8 @@ class Planner {
     if (!input.missing.empty()) return;
     input.sequence = Opened(job, input);
     input.frames = static_cast<int>(input.sequence.images.size());
-    if (SequenceOf(job).scene.empty()) RequireAsRendered(input.sequence, hash_);
-    input.images = FindImageHashes(input.sequence, hash_index_, pool_, hooks_);
+    if (SequenceOf(job).scene.empty()) RequireAsRendered(input.sequence, hashes_);
+    input.images = hashes_.OfImages(input.sequence);
     input.content = ContentHash(input.sequence, input.images);
     input.detections = DetectionsHash(input.sequence);
   }
@@ -204,13 +186,13 @@ class Planner {
         if (!found.missing.empty()) input.missing = found.missing;
         if (input.missing.empty()) input.folder = found.folder.string();
       } else if (input.missing.empty()) {
-        RenderedScene scene = scenes_.Find(sequence, job.parameters, job.seed);
-        if (IsRendered(scene)) {
-          input.folder = scene.folder.string();
+        Preparation render = scenes_.Find(sequence, job.parameters, job.seed);
+        if (IsRendered(render)) {
+          input.folder = render.output.string();
         } else {
-          AddRender(scene, job);
           input.missing = kNotRendered;
-          input.frames = scene.frames;
+          input.frames = render.frames;
+          Want(std::move(render));
         }
       }
       if (input.missing.empty()) Open(job, input);
@@ -244,19 +226,18 @@ class Planner {
     }
     const auto found = resolved_.find(key);
     if (found != resolved_.end()) return found->second;
-    if (resolved_.size() >= kMaxResolved) resolved_.clear();
     VariantAtPoint resolved;
     resolved.options = OptionsOf(suite_, job.variant, job.parameters);
     const Json options = OptionsToJson(OptionLeaves(resolved.options));
-    resolved.identity_head = IdentityHead(build_.identity, job.variant, options);
     resolved.front_end = options["orb"].dump() + options["stereo"].dump();
+    resolved.json = options;
     return resolved_.emplace(key, std::move(resolved)).first->second;
   }
 
   const std::string& FrontEndKeyOf(const VariantAtPoint& resolved, Input& input) const {
     const auto [found, added] = input.front_end_keys.try_emplace(resolved.front_end);
     if (added) {
-      found->second = FrontEndKey({.build = build_.identity,
+      found->second = FrontEndKey({.build = ThisBuild().identity,
                                    .camera = input.sequence.camera,
                                    .orb = resolved.options.orb,
                                    .stereo = resolved.options.stereo,
@@ -295,8 +276,7 @@ class Planner {
     const VariantAtPoint& resolved = ResolvedOf(job);
     job.input = FrontEndKeyOf(resolved, input);
     job.job = JobIdentity(
-        resolved.identity_head,
-        {input.content, input.detections,
+        {ThisBuild().identity, job.variant, resolved.json, input.content, input.detections,
          Given(input.sequence, ClassesOf(SequenceOf(job)), OracleOf(job.oracle)), job.seed});
   }
 
@@ -304,16 +284,10 @@ class Planner {
   const PlanRequest& request_;
   DataFolder data_;
   SceneFolders scenes_;
-  TaskPool pool_;
-  fs::path hash_index_;
-  FileHashHooks hooks_;
-  HashFiles hash_ = [this](const std::vector<fs::path>& files) {
-    return FindFileHashes(files, hash_index_, pool_, hooks_);
-  };
-  BuildIdentity build_ = ThisBuild();
+  FileHashes hashes_;
   std::map<std::string, Input> inputs_;
   std::map<std::string, VariantAtPoint> resolved_;
-  std::vector<std::pair<std::string, Preparation>> wanted_;  // each with the key of its drawing
+  std::vector<Preparation> wanted_;
   std::set<fs::path> wanted_outputs_;
 };
 

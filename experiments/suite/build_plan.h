@@ -4,24 +4,111 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/files/json/json.h"
-#include "experiments/runner/file_hashes.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/runner/identity.h"
 #include "experiments/suite/suite.h"
+#include "synth/write/dataset.h"
 
 namespace cvo {
 
-// Values of PlanJob::missing for input that only has to be made first.
-inline constexpr char kNotRendered[] = "not rendered yet";
-inline constexpr char kNotDetected[] = "boxes not found yet";
-inline bool IsPending(const std::string& missing) {
-  return missing == kNotRendered || missing == kNotDetected;
-}
+// The user's data folder. Sequences are found by their path below it, or by the end of their path.
+class DataFolder {
+ public:
+  // An empty `root` means that there is no data folder. The folder is searched on first need.
+  explicit DataFolder(std::filesystem::path root) : root_(std::move(root)) {}
+
+  const std::filesystem::path& root() const { return root_; }
+
+  struct Found {
+    std::filesystem::path folder;  // absolute; empty: missing
+    std::string missing;           // why it is missing, for the user
+  };
+  Found Find(const std::string& folder);
+
+ private:
+  const std::vector<FoundSequence>& All();
+
+  std::filesystem::path root_;
+  std::optional<std::vector<FoundSequence>> all_;
+};
+
+// Preparations that jobs may wait for, in the order in which they run: drawing a scene, adding the
+// noise of further seeds to that drawing, and detecting boxes with a network.
+enum class Stage { kDrawing, kNoise, kBoxes };
+inline constexpr std::array kStages = {Stage::kDrawing, Stage::kNoise, Stage::kBoxes};
+
+struct Preparation {
+  std::string name;      // unique within the plan
+  std::string sequence;  // SuiteSequence::name
+  // <cache>/scenes/<name>-<key>/<name>: a scene as rendered for one seed and one grid point; or
+  // <cache>/detections/<hash>.txt: boxes, where the hash covers the bytes of the network's files
+  // and of the left images, the detector's flags and the program.
+  std::filesystem::path output;
+  std::vector<std::string> arguments;  // of the program, to write `output`
+  int frames = 0;
+  Stage stage = Stage::kDrawing;  // of a scene: kNoise if its drawing is in the cache
+  std::string drawing = {};       // of a scene: key of the drawing, which all seeds share
+};
+
+// Finds scenes below <cache>/scenes by a key of what determines their content: the scene, the
+// values assigned to it, the seed, the frames and the program that draws.
+class SceneFolders {
+ public:
+  explicit SceneFolders(std::filesystem::path cache) : cache_(std::move(cache)) {}
+
+  // Throws Error for an invalid scene, and if no renderer is available.
+  Preparation Find(const SuiteSequence& sequence, const GridPoint& parameters, std::uint64_t seed);
+
+ private:
+  struct Source {
+    synth::DatasetSource dataset;
+    int frames = 0;
+  };
+  const Source& SourceFor(const SuiteSequence& sequence,
+                          const std::vector<std::string>& assignments);
+
+  std::filesystem::path cache_;
+  std::map<std::string, Source> sources_;  // by scene and assignments
+};
+
+// Returns what is wrong with a rendered folder: an unreadable manifest, or the first file that is
+// missing or differs from the manifest. Of per-frame files, only those of `frames` are checked.
+std::optional<std::string> FindSceneDamage(const std::filesystem::path& folder,
+                                           const FileHashes& hashes, const FrameRange& frames = {});
+
+// Throws Error if the sequence is a rendered folder and a file that a run on it may read is not the
+// one that was rendered.
+void RequireAsRendered(const Sequence& sequence, const FileHashes& hashes);
+
+// Returns the first file of boxes, labels or a detector that does not exist below `data`, as
+// written in the suite; empty if all exist.
+std::string FindMissingFile(const SuiteSequence& sequence, const std::filesystem::path& data);
+
+// A sequence whose boxes are detected by a network.
+struct DetectorInput {
+  const SuiteSequence& written;
+  const Sequence& sequence;  // opened without boxes
+  std::filesystem::path data;
+  std::filesystem::path cache;
+};
+
+Preparation FindDetection(const DetectorInput& input, const FileHashes& hashes);
+// Whether the boxes and the checksum beside them (`detect --checksum`) exist and agree.
+bool AreWhole(const std::filesystem::path& boxes, const FileHashes& hashes);
+
+using reports::IsPending;
+using reports::kNotDetected;
+using reports::kNotRendered;
 
 // PlanJob::missing starts with this if a file of boxes, labels or a network does not exist,
 // which is not a failure.
@@ -45,24 +132,9 @@ Plan ParsePlan(const Json& json, const std::string& where);
 struct PlanRequest {
   std::filesystem::path data;                 // searched for sequence folders; empty: there is none
   std::filesystem::path cache;                // synth::CacheFolder()
-  int threads = 1;                            // for hashing images
   Notice notice = [](const std::string&) {};  // reports damaged cache entries, which only cost time
   // Counts jobs; may be empty.
   std::function<void(std::size_t done, std::size_t total)> progress;
-};
-
-// Preparations that jobs may wait for, in the order in which they run: drawing a scene, adding the
-// noise of further seeds to that drawing, and detecting boxes with a network.
-enum class Stage { kDrawing, kNoise, kBoxes };
-inline constexpr std::array kStages = {Stage::kDrawing, Stage::kNoise, Stage::kBoxes};
-
-struct Preparation {
-  std::string name;                    // unique within the plan
-  std::string sequence;                // SuiteSequence::name
-  std::filesystem::path output;        // folder of the scene, or file of the boxes
-  std::vector<std::string> arguments;  // of the program, to write `output`
-  int frames = 0;
-  Stage stage = Stage::kDrawing;
 };
 
 struct BuiltPlan {
@@ -72,7 +144,7 @@ struct BuiltPlan {
 };
 
 // Locates the input of every job: rendered scenes in the cache, folders below the data folder.
-// Images are not decoded, and those that FindImageHashes knows are not read. Missing input is
+// Images are not decoded, and those whose hashes are known are not read. Missing input is
 // recorded in the job, never thrown.
 BuiltPlan BuildPlan(const Suite& suite, const PlanRequest& request);
 

@@ -17,8 +17,8 @@
 #include "core/record/metric_catalogue.h"
 #include "core/record/suite_runs.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/runner/frame_detections.h"
-#include "experiments/suite/job_input.h"
+#include "experiments/runner/given.h"
+#include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
 #include "variants/registry.h"
@@ -152,33 +152,21 @@ Names AnyVariants(const Suite& suite) {
   return suite.variants.empty() ? Names{""} : suite.variants;
 }
 
-// Checks each value of each axis by itself, then the axes together.
 void CheckGrid(const Suite& suite, const std::string& where) {
-  for (const GridAxis& axis : suite.grid) {
-    const bool of_scene = IsScenePath(axis.path);
-    for (const SuiteSequence& sequence : suite.sequences) {
-      if (of_scene && sequence.scene.empty()) {
-        ThrowError(StrCat(where, ", grid.", axis.path), "a sequence that is a folder of images",
-                   "scenes alone");
-      }
-    }
-    for (const Json& value : axis.values) {
-      const GridPoint point = {{axis.path, value}};
-      At(StrCat(where, ", grid.", axis.path), [&] {
-        for (const std::string& variant : AnyVariants(suite)) OptionsOf(suite, variant, point);
-        PerturbationOf(suite.sequences.front(), point, 0);
-      });
-    }
-  }
   const bool scenes = std::any_of(suite.grid.begin(), suite.grid.end(),
                                   [](const GridAxis& axis) { return IsScenePath(axis.path); });
   CheckedScenes checked;
   for (const SuiteSequence& sequence : suite.sequences) {
+    if (scenes && sequence.scene.empty()) {
+      ThrowError(where + ", grid", "a value of scenes, and a sequence that is a folder of images",
+                 "scenes alone");
+    }
     if (!checked.Add(sequence)) continue;
     At(where + ", grid", [&] {
       for (const std::string& variant : AnyVariants(suite)) {
         for (const GridPoint& point : GridPoints(suite, sequence, variant)) {
           OptionsOf(suite, variant, point);
+          PerturbationOf(sequence, point, 0);
           if (scenes) CheckScene(sequence, point);
         }
       }
@@ -319,62 +307,6 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   CheckNames(suite.table.metrics, reports::AllMetricNames(), where + ", table.metrics",
              "a metric of results, as camera_ate or object_success_10cm");
   CheckReference(suite, where + ", table.reference");
-}
-
-namespace {
-
-// Parses JSON; any other text is taken as a string, so that a word needs no quotes.
-Json ParseValue(const std::string& text) {
-  try {
-    return ParseJson(text, "value");
-  } catch (const Error&) {
-    return text;
-  }
-}
-
-void SetSuiteOption(const std::string& assignment, Json& options) {
-  Options values;
-  const std::vector<OptionLeaf> leaves = OptionLeaves(values);
-  SetOption(assignment, leaves);
-  const std::string path = assignment.substr(0, assignment.find('='));
-  options[PointerTo(path)] = ValueToJson(*FindBy(leaves, &OptionLeaf::path, path));
-}
-
-void Set(const std::string& assignment, Suite& suite) {
-  const std::size_t equals = assignment.find('=');
-  if (equals == 0 || equals == std::string::npos) {
-    ThrowError("--set " + assignment, "no PATH=VALUE", "PATH=VALUE, such as window.spatial=5");
-  }
-  const std::string path = assignment.substr(0, equals);
-  const Json value = ParseValue(assignment.substr(equals + 1));
-  GridAxis* axis = FindBy(suite.grid, &GridAxis::path, path);
-  const bool of_sequence = !IsOptionPath(path);
-  if ((of_sequence || axis != nullptr) && suite.grid_one_at_a_time) {
-    ThrowError("--set " + assignment, "a suite that varies one axis of its grid at a time",
-               "an option that is not an axis");
-  }
-  if (axis != nullptr) {
-    axis->values = {value};
-  } else if (of_sequence) {
-    suite.grid.push_back({path, {value}});
-  } else {
-    SetSuiteOption(assignment, suite.options);
-  }
-}
-
-}  // namespace
-
-Suite Override(Suite suite, const SuiteOverrides& overrides) {
-  if (overrides.seeds > 0) {
-    suite.seeds.resize(static_cast<std::size_t>(overrides.seeds));
-    std::iota(suite.seeds.begin(), suite.seeds.end(), 1);
-  }
-  if (!overrides.frames.empty()) {
-    for (SuiteSequence& sequence : suite.sequences) sequence.frames = overrides.frames;
-  }
-  for (const std::string& assignment : overrides.set) Set(assignment, suite);
-  CheckSuite(suite, "suite " + suite.name);
-  return suite;
 }
 
 }  // namespace cvo

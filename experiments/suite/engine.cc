@@ -15,12 +15,12 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/files/atomic_file.h"
 
 namespace cvo {
 
@@ -32,10 +32,6 @@ constexpr int kPoll_ms = 100;  // interval for checking time limits and `stop`
 constexpr int kCannotExecute = 126;
 constexpr int kCannotLoad = 127;  // from the dynamic loader, if its libraries do not fit
 constexpr std::string_view kNotExecuted = "clustervo: error: the program cannot be executed\n";
-
-[[noreturn]] void ThrowErrno(const std::string& what, const char* action, int error) {
-  throw Error(StrCat(what, ": cannot ", action, ": ", std::strerror(error)));
-}
 
 // An open file, closed with this object.
 struct File {
@@ -195,7 +191,7 @@ class RunningTask {
   static ChildProcess Started(const Task& task) {
     constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC;
     const File log(::open(task.log.c_str(), kFlags, 0666));
-    if (log.fd < 0) ThrowErrno(task.log.string(), "write", errno);
+    if (log.fd < 0) ThrowErrno(task.log, "write", errno);
     return ChildProcess({task.argv, log.fd, log.fd, task.limit_memory_mb});
   }
   std::string MessageOf(int status) const {

@@ -41,8 +41,6 @@ struct EngineHooks {
   std::function<bool()> stop = [] { return false; };
   // Receives one line for the user, such as the id of a submitted array.
   std::function<void(const std::string& line)> notice = [](const std::string&) {};
-  // Whether a task that an earlier process started and that is not among these is left alone.
-  std::function<bool(const std::string& name)> keeps = [](const std::string&) { return true; };
 };
 
 // Runs tasks. They start in the order given; the bytes that a task writes never depend on it.

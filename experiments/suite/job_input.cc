@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/suite/job_input.h"
-
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -11,8 +9,9 @@
 #include "core/base/lists.h"
 #include "core/files/json/options_json.h"
 #include "core/files/text/number.h"
-#include "experiments/runner/frame_detections.h"
+#include "experiments/runner/given.h"
 #include "experiments/suite/collection.h"
+#include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/object_reader.h"
 #include "synth/write/dataset.h"
@@ -112,32 +111,24 @@ std::string DetectorLevel(const SuiteSequence& sequence) {
 
 SequenceRequest RequestOf(const Suite& suite, const PlanJob& job, const fs::path& data) {
   const SuiteSequence& sequence = suite.sequences[job.entry];
-  SequenceRequest request;
+  SequenceRequest request = sequence;
   request.folder = job.folder;
-  request.dataset = sequence.dataset;
-  request.pair = sequence.pair;
-  request.groundtruth = sequence.groundtruth;
   request.perturbation = PerturbationOf(sequence, job.parameters, job.seed);
-  const bool by_detector = !sequence.detector.model.empty();
-  if (by_detector) request.detections_file = job.boxes;
-  if (!sequence.scene.empty()) {
-    if (!by_detector) request.detections_file = SceneDetections(sequence, job);
-    return request;  // frames were selected at rendering
-  }
-  if (!sequence.frames.empty()) {
+  if (!sequence.labels_file.empty()) request.labels_file = data / sequence.labels_file;
+  // The frames of a scene were selected at rendering.
+  if (sequence.scene.empty() && !sequence.frames.empty()) {
     const FrameRange range = ParseFrameRange(sequence.frames);
     request.begin_frame = range.begin;
     request.end_frame = range.end;
   }
-  const bool from_labels = AreFromLabels(sequence.detections);
-  if (from_labels) request.detections_file = sequence.detections;
-  if (!sequence.detections.empty() && !from_labels && !by_detector) {
-    request.detections_file = data / sequence.detections;
+  if (!sequence.detector.model.empty()) {
+    request.detections_file = job.boxes;
+  } else if (!sequence.scene.empty()) {
+    request.detections_file = SceneDetections(sequence, job);
+  } else if (!sequence.detections.empty()) {
+    request.detections_file = AreFromLabels(sequence.detections) ? fs::path(sequence.detections)
+                                                                 : data / sequence.detections;
   }
-  request.detections_camera = sequence.detections_camera;
-  request.layout = sequence.layout;
-  if (sequence.min_score) request.min_score = *sequence.min_score;
-  if (!sequence.labels.empty()) request.labels_file = data / sequence.labels;
   return request;
 }
 
@@ -157,11 +148,6 @@ SystemFiles SystemFilesOf(const Suite& suite, const PlanJob& job, const fs::path
   }
   ThrowError("suite " + suite.name, "no files of " + job.system + " on " + job.sequence,
              "a job of the suite");
-}
-
-OracleSwitches OracleOf(const std::vector<std::string>& switches) {
-  const std::string text = Joined(switches, ",");
-  return ParseOracle(text.empty() ? "none" : text);
 }
 
 namespace {

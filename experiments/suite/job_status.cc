@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <string>
@@ -37,15 +36,12 @@ std::string Holder(int fd) {
 
 FolderLock::FolderLock(const fs::path& file)
     : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  const int open_error = errno;
-  if (fd_ < 0) throw Error(StrCat(file.string(), ": cannot write: ", std::strerror(open_error)));
+  if (fd_ < 0) ThrowErrno(file, "write", errno);
   if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
     const int error = errno;
     const std::string holder = Holder(fd_);
     ::close(fd_);
-    if (error != EWOULDBLOCK) {
-      throw Error(StrCat(file.string(), ": cannot lock: ", std::strerror(error)));
-    }
+    if (error != EWOULDBLOCK) ThrowErrno(file, "lock", error);
     ThrowError(file.parent_path().string(), StrCat("in use by ", holder),
                "a folder not in use by another run");
   }

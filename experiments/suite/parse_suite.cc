@@ -8,7 +8,6 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/job_input.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
@@ -23,106 +22,90 @@ using synth::ObjectReader;
 
 constexpr int kMaxSeeds = 10000;
 
-// Reads one object of a suite file, or writes it: one list of fields serves both. A field that is
-// not in the file keeps its value, and an empty one is not written.
-class Fields {
- public:
-  explicit Fields(ObjectReader& in) : in_(&in) {}
-  explicit Fields(Json& out) : out_(&out) {}
-
-  // Without `known`, any text is valid.
-  void Text(const char* key, std::string& value, const std::vector<std::string>& known = {}) {
-    if (out_ != nullptr && !value.empty()) (*out_)[key] = value;
-    if (in_ == nullptr || !in_->Has(key)) return;
-    value = in_->Text(key);
-    if (known.empty() || std::find(known.begin(), known.end(), value) != known.end()) return;
-    ThrowError(in_->Where(key), Quoted(value) + DidYouMean(value, known), Joined(known, " or "));
+// Returns a text that must be one of `known`; `fallback` if the key is missing.
+std::string ReadChoice(ObjectReader& object, const char* key, const std::vector<std::string>& known,
+                       const std::string& fallback) {
+  const std::string value = object.TextOr(key, fallback);
+  if (value == fallback || std::find(known.begin(), known.end(), value) != known.end()) {
+    return value;
   }
-  void Texts(const char* key, std::vector<std::string>& value) {
-    if (out_ != nullptr && !value.empty()) (*out_)[key] = value;
-    if (in_ != nullptr && in_->Has(key)) value = ReadTexts(in_->Value(key), in_->Where(key));
-  }
-  void Number(const char* key, std::optional<double>& value, const synth::Range& range) {
-    if (out_ != nullptr && value) (*out_)[key] = *value;
-    if (in_ != nullptr && in_->Has(key)) value = in_->Number(key, range);
-  }
-  // A value below 0 is not written.
-  void Integer(const char* key, int& value, const synth::Range& range) {
-    if (out_ != nullptr && value >= 0) (*out_)[key] = value;
-    if (in_ != nullptr) value = in_->IntegerOr(key, range, value);
-  }
-  void Object(const char* key, Json& value) {
-    if (out_ != nullptr && !value.empty()) (*out_)[key] = value;
-    if (in_ == nullptr || !in_->Has(key)) return;
-    in_->Object(key);  // throws if it is not an object
-    value = in_->Value(key);
-  }
-  // A string, or an object that describes a network that detects the boxes, named after its model
-  // by default.
-  void Detections(SuiteSequence& sequence) {
-    constexpr const char* kKey = "detections";
-    if (out_ != nullptr && !sequence.detector.model.empty()) {
-      Fields(out_->emplace(kKey, Json::object()).first.value()).Detector(sequence);
-    } else if (in_ != nullptr && in_->Has(kKey) && in_->Value(kKey).is_object()) {
-      ObjectReader read = in_->Object(kKey);
-      read.Value("names");  // throws if it is missing
-      sequence.detections = fs::path(read.Text("model")).stem().string();
-      Fields(read).Detector(sequence);
-      read.Finish();
-      if (!sequence.detector.model.empty() && !sequence.detections.empty()) return;
-      ThrowError(in_->Where(kKey), "a model without a name", "its file");
-    } else {
-      Text(kKey, sequence.detections);
-    }
-  }
-
- private:
-  void Detector(SuiteSequence& sequence) {
-    Text("name", sequence.detections);
-    Text("model", sequence.detector.model);
-    Text("names", sequence.detector.names);
-    Text("weights", sequence.detector.weights);
-    Text("input", sequence.detector.input);
-    Number("min_score", sequence.detector.min_score, {0.0, 1.0});
-    Number("max_overlap", sequence.detector.max_overlap, {0.0, 1.0});
-  }
-
-  ObjectReader* in_ = nullptr;
-  Json* out_ = nullptr;
-};
-
-// The fields of a sequence but for its scene or folder.
-void VisitSequence(Fields fields, SuiteSequence& sequence) {
-  fields.Text("name", sequence.name);
-  fields.Text("frames", sequence.frames);
-  fields.Detections(sequence);
-  fields.Texts("classes", sequence.classes);
-  fields.Object("perturb", sequence.perturb);
-  if (sequence.folder.empty()) return;
-  fields.Text("dataset", sequence.dataset, {"kitti", "other"});
-  fields.Text("pair", sequence.pair, {"grey", "colour"});
-  fields.Text("groundtruth", sequence.groundtruth, {"devkit", "interpolated"});
-  fields.Integer("detections_camera", sequence.detections_camera, {0, 3});
-  fields.Number("min_score", sequence.min_score, {-1e6, 1e6});
-  fields.Text("labels", sequence.labels);
-  fields.Object("layout", sequence.layout);
+  ThrowError(object.Where(key), Quoted(value) + DidYouMean(value, known), Joined(known, " or "));
 }
 
-// Resolves a file of a scene or a family relative to the suite's folder.
-template <typename Shipped>
-std::string Resolved(const std::string& name, const std::vector<Shipped>& shipped,
-                     const fs::path& folder) {
-  if (FindBy(shipped, &Shipped::name, name) != nullptr) return name;
-  std::error_code ignored;
-  const fs::path file = folder / name;
-  return fs::exists(file, ignored) ? fs::absolute(file).lexically_normal().string() : name;
+// Empty if the key is missing.
+std::vector<std::string> ReadTextsOf(ObjectReader& object, const char* key) {
+  if (!object.Has(key)) return {};
+  return ReadTexts(object.Value(key), object.Where(key));
+}
+
+std::optional<double> ReadNumber(ObjectReader& object, const char* key, const synth::Range& range) {
+  return object.Has(key) ? std::optional(object.Number(key, range)) : std::nullopt;
+}
+
+Json ReadObject(ObjectReader& object, const char* key) {
+  if (!object.Has(key)) return Json::object();
+  object.Object(key);  // throws if it is not an object
+  return object.Value(key);
+}
+
+// A network that detects the boxes, named after its model by default.
+void ReadDetector(ObjectReader detector, SuiteSequence& sequence) {
+  sequence.detector.model = detector.Text("model");
+  sequence.detector.names = detector.Text("names");
+  sequence.detector.weights = detector.TextOr("weights", "");
+  sequence.detector.input = detector.TextOr("input", "");
+  sequence.detector.min_score = ReadNumber(detector, "min_score", {0.0, 1.0});
+  sequence.detector.max_overlap = ReadNumber(detector, "max_overlap", {0.0, 1.0});
+  sequence.detections = detector.TextOr("name", fs::path(sequence.detector.model).stem().string());
+  detector.Finish();
+  if (!sequence.detector.model.empty() && !sequence.detections.empty()) return;
+  ThrowError(detector.Where("model"), "a model without a name", "its file");
+}
+
+// The fields of a sequence but for its scene or folder.
+void ReadFields(ObjectReader& object, SuiteSequence& sequence) {
+  sequence.name = object.TextOr("name", sequence.name);
+  sequence.frames = object.TextOr("frames", "");
+  if (object.Has("detections") && object.Value("detections").is_object()) {
+    ReadDetector(object.Object("detections"), sequence);
+  } else {
+    sequence.detections = object.TextOr("detections", "");
+  }
+  sequence.classes = ReadTextsOf(object, "classes");
+  sequence.perturb = ReadObject(object, "perturb");
+  if (sequence.folder.empty()) return;
+  sequence.dataset = ReadChoice(object, "dataset", {"kitti", "other"}, "");
+  sequence.pair = ReadChoice(object, "pair", {"grey", "colour"}, "");
+  sequence.groundtruth = ReadChoice(object, "groundtruth", {"devkit", "interpolated"}, "devkit");
+  sequence.detections_camera = object.IntegerOr("detections_camera", {0, 3}, -1);
+  sequence.min_score = object.NumberOr("min_score", {-1e6, 1e6}, sequence.min_score);
+  sequence.labels_file = object.TextOr("labels", "");
+  sequence.layout = ReadObject(object, "layout");
+}
+
+// Makes the files of scenes and families in a suite absolute, so that it can be read from anywhere.
+void ResolveFiles(const fs::path& folder, Json& suite) {
+  if (!suite.is_object() || !suite.contains("sequences") || !suite["sequences"].is_array()) return;
+  const auto scenes = synth::ShippedScenes();
+  const auto families = synth::ShippedFamilies();
+  for (Json& sequence : suite["sequences"]) {
+    for (const char* key : {"scene", "family"}) {
+      if (!sequence.is_object() || !sequence.contains(key) || !sequence[key].is_string()) continue;
+      const auto name = sequence[key].get<std::string>();
+      if (FindBy(scenes, &synth::ShippedScene::name, name) != nullptr ||
+          FindBy(families, &synth::ShippedFamily::name, name) != nullptr) {
+        continue;
+      }
+      std::error_code ignored;
+      const fs::path file = folder / name;
+      if (fs::exists(file, ignored)) sequence[key] = fs::absolute(file).lexically_normal().string();
+    }
+  }
 }
 
 std::string DefaultName(const SuiteSequence& sequence) {
   if (!sequence.scene.empty()) return fs::path(sequence.scene).stem().string();
-  fs::path folder = fs::path(sequence.folder).lexically_normal();
-  if (!folder.has_filename()) folder = folder.parent_path();
-  std::string name = folder.filename().string();
+  std::string name = NormalFolder(sequence.folder).filename().string();
   constexpr std::string_view kRawSuffix = "_sync";  // part of no drive's name
   if (name.ends_with(kRawSuffix)) name.resize(name.size() - kRawSuffix.size());
   return name;
@@ -152,12 +135,11 @@ std::pair<std::uint32_t, std::uint64_t> ReadSeedRange(ObjectReader& object) {
 }
 
 // Appends one sequence for each seed.
-void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSequence>& out) {
+void ReadFamily(ObjectReader object, std::vector<SuiteSequence>& out) {
   SuiteSequence sequence;
-  const std::string family = object.Text("family");
   const auto [first, end] = ReadSeedRange(object);
   synth::FamilyScene scene;
-  scene.family = Resolved(family, synth::ShippedFamilies(), folder);
+  scene.family = object.Text("family");
   if (object.Has("set")) {
     ObjectReader set = object.Object("set");
     for (const auto& [knob, value] : object.Value("set").items()) {
@@ -165,8 +147,8 @@ void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSe
       scene.set.push_back(knob + "=" + text);
     }
   }
-  sequence.name = fs::path(family).stem().string();
-  VisitSequence(Fields(object), sequence);
+  sequence.name = fs::path(scene.family).stem().string();
+  ReadFields(object, sequence);
   object.Finish();
   const std::string name = sequence.name;
   for (std::uint64_t seed = first; seed < end; ++seed) {
@@ -178,15 +160,15 @@ void ReadFamily(ObjectReader object, const fs::path& folder, std::vector<SuiteSe
   }
 }
 
-SuiteSequence ReadSequence(ObjectReader object, const fs::path& folder) {
+SuiteSequence ReadSequence(ObjectReader object) {
   SuiteSequence sequence;
   if (object.OneOf({"scene", "folder", "family"}) == "scene") {
-    sequence.scene = Resolved(object.Text("scene"), synth::ShippedScenes(), folder);
+    sequence.scene = object.Text("scene");
   } else {
     sequence.folder = object.Text("folder");
   }
   sequence.name = DefaultName(sequence);
-  VisitSequence(Fields(object), sequence);
+  ReadFields(object, sequence);
   object.Finish();
   return sequence;
 }
@@ -254,11 +236,9 @@ std::vector<std::vector<std::string>> ReadOracles(ObjectReader& object) {
 
 SuiteTable ReadTable(ObjectReader table) {
   SuiteTable read;
-  table.Value("metrics");  // throws if it is missing
-  Fields fields(table);
-  fields.Texts("rows", read.rows);
-  fields.Texts("metrics", read.metrics);
-  fields.Text("reference", read.reference);
+  if (table.Has("rows")) read.rows = ReadTextsOf(table, "rows");
+  read.metrics = ReadTexts(table.Value("metrics"), table.Where("metrics"));
+  read.reference = table.TextOr("reference", "");
   table.Finish();
   return read;
 }
@@ -274,22 +254,23 @@ std::vector<std::string> ReadTexts(const Json& value, const std::string& where) 
 }
 
 Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::path& folder) {
-  ObjectReader object(json, where, "");
   Suite suite;
+  suite.definition = json;
+  ResolveFiles(folder, suite.definition);
+  ObjectReader object(suite.definition, where, "");
   suite.name = object.Text("name");
   suite.about = object.TextOr("about", "");
   for (ObjectReader& sequence : object.ObjectsOr("sequences")) {
     if (suite.sequences.size() > kMaxRuns) break;  // too many, which CheckSuite refuses
     if (sequence.Has("family")) {
-      ReadFamily(std::move(sequence), folder, suite.sequences);
+      ReadFamily(std::move(sequence), suite.sequences);
     } else {
-      suite.sequences.push_back(ReadSequence(std::move(sequence), folder));
+      suite.sequences.push_back(ReadSequence(std::move(sequence)));
     }
   }
-  Fields fields(object);
-  fields.Texts("variants", suite.variants);
+  suite.variants = ReadTextsOf(object, "variants");
   suite.seeds = ReadSeeds(object);
-  fields.Object("options", suite.options);
+  suite.options = ReadObject(object, "options");
   suite.grid = ReadGrid(object);
   suite.grid_one_at_a_time = object.BoolOr("grid_one_at_a_time", false);
   if (object.Has("oracles")) suite.oracles = ReadOracles(object);
@@ -336,39 +317,44 @@ Suite LoadSuite(const std::string& suite) {
 
 namespace {
 
-Json SystemToJson(const SuiteSystem& system) {
-  if (system.shipped) return {{"name", system.name}};
-  Json files = Json::array();
-  for (const SuiteSystem::Files& file : system.files) {
-    files.push_back({{"sequence", file.sequence}, {"camera", file.camera}});
-    if (!file.objects.empty()) files.back()["objects"] = file.objects;
+// Parses JSON; any other text is taken as a string, so that a word needs no quotes.
+Json ParseValue(const std::string& text) {
+  try {
+    return ParseJson(text, "value");
+  } catch (const Error&) {
+    return text;
   }
-  return {{"name", system.name}, {"files", std::move(files)}};
+}
+
+// A path that is no option, or that is an axis, becomes an axis with this value alone.
+void Set(const std::string& assignment, Json& suite) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == 0 || equals == std::string::npos) {
+    ThrowError("--set " + assignment, "no PATH=VALUE", "PATH=VALUE, such as window.spatial=5");
+  }
+  const std::string path = assignment.substr(0, equals);
+  const Json value = ParseValue(assignment.substr(equals + 1));
+  if (IsOptionPath(path) && !(suite.contains("grid") && suite["grid"].contains(path))) {
+    suite["options"][PointerTo(path)] = value;
+    return;
+  }
+  if (suite.value("grid_one_at_a_time", false)) {
+    ThrowError("--set " + assignment, "a suite that varies one axis of its grid at a time",
+               "an option that is not an axis");
+  }
+  suite["grid"][path] = Json::array({value});
 }
 
 }  // namespace
 
-Json SuiteToJson(const Suite& suite) {
-  Json json = {{"name", suite.name}, {"about", suite.about}, {"sequences", Json::array()}};
-  for (SuiteSequence sequence : suite.sequences) {
-    Json& written = json["sequences"].emplace_back(Json::object());
-    if (!sequence.scene.empty()) written["scene"] = sequence.scene;
-    if (!sequence.folder.empty()) written["folder"] = sequence.folder;
-    VisitSequence(Fields(written), sequence);
+Suite Override(const Suite& suite, const SuiteOverrides& overrides) {
+  Json json = suite.definition;
+  if (overrides.seeds > 0) json["seeds"] = overrides.seeds;
+  if (!overrides.frames.empty()) {
+    for (Json& sequence : json["sequences"]) sequence["frames"] = overrides.frames;
   }
-  json["variants"] = suite.variants;
-  json["seeds"] = suite.seeds;
-  json["options"] = suite.options;
-  json["grid"] = Json::object();
-  for (const GridAxis& axis : suite.grid) json["grid"][axis.path] = axis.values;
-  json["grid_one_at_a_time"] = suite.grid_one_at_a_time;
-  json["oracles"] = suite.oracles;
-  json["systems"] = Json::array();
-  for (const SuiteSystem& system : suite.systems) json["systems"].push_back(SystemToJson(system));
-  if (suite.timed_threads > 0) json["timed_threads"] = suite.timed_threads;
-  json["landmarks"] = suite.landmarks;
-  json["table"] = ToJson(suite.table);
-  return json;
+  for (const std::string& assignment : overrides.set) Set(assignment, json);
+  return json == suite.definition ? suite : ParseSuite(json, "suite " + suite.name);
 }
 
 }  // namespace cvo

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/suite/plan_inputs.h"
-
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -13,7 +11,8 @@
 #include "detector_sources.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/identity.h"
-#include "experiments/suite/job_input.h"
+#include "experiments/suite/build_plan.h"
+#include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
 #include "synth/write/render_cache.h"
@@ -42,6 +41,7 @@ std::string LastParts(const fs::path& path, const fs::path& other) {
 }
 
 constexpr std::size_t kKeyDigits = 16;
+constexpr std::size_t kNameDigits = 8;
 
 synth::RenderRequest RenderOf(const SuiteSequence& sequence, std::uint64_t seed) {
   synth::RenderRequest request;
@@ -132,63 +132,60 @@ const SceneFolders::Source& SceneFolders::SourceFor(const SuiteSequence& sequenc
   return sources_.emplace(key, std::move(source)).first->second;
 }
 
-RenderedScene SceneFolders::Find(const SuiteSequence& sequence, const GridPoint& parameters,
-                                 std::uint64_t seed) {
+Preparation SceneFolders::Find(const SuiteSequence& sequence, const GridPoint& parameters,
+                               std::uint64_t seed) {
   const std::vector<std::string> assignments = SceneAssignments(sequence, parameters);
   const auto& [source, all_frames] = SourceFor(sequence, assignments);
   const synth::RenderRequest request = RenderOf(sequence, seed);
-  RenderedScene found;
-  const std::string key = synth::DatasetKey(source, request).substr(0, kKeyDigits);
-  found.folder = synth::ScenesFolder(cache_) / StrCat(source.scene, "-", key) / source.scene;
-  found.drawing = synth::DrawingKey(source, request);
+  const std::string key =
+      StrCat(source.scene, "-", synth::DatasetKey(source, request).substr(0, kKeyDigits));
+  Preparation render;
+  render.name = StrCat("render-", sequence.name, "-", key);
+  render.sequence = sequence.name;
+  render.output = synth::ScenesFolder(cache_) / key / source.scene;
+  render.drawing = synth::DrawingKey(source, request);
   std::error_code ignored;
-  found.drawn = fs::exists(cache_ / found.drawing / synth::kManifestName, ignored);
-  found.frames = request.frames.end.value_or(all_frames) - request.frames.first;
-  found.arguments = {"synth",
-                     "render",
-                     sequence.scene,
-                     "-o",
-                     found.folder.string(),
-                     "--seed",
-                     std::to_string(seed)};
-  if (!sequence.frames.empty()) {
-    found.arguments.insert(found.arguments.end(), {"--frames", sequence.frames});
-  }
-  for (const std::string& assignment : assignments) {
-    found.arguments.insert(found.arguments.end(), {"--set", assignment});
-  }
-  return found;
+  const bool drawn = fs::exists(cache_ / render.drawing / synth::kManifestName, ignored);
+  render.stage = drawn ? Stage::kNoise : Stage::kDrawing;
+  render.frames = request.frames.end.value_or(all_frames) - request.frames.first;
+  render.arguments = {"synth",
+                      "render",
+                      sequence.scene,
+                      "-o",
+                      render.output.string(),
+                      "--seed",
+                      std::to_string(seed)};
+  const auto add = [&](const char* flag, const std::string& value) {
+    render.arguments.insert(render.arguments.end(), {flag, value});
+  };
+  if (!sequence.frames.empty()) add("--frames", sequence.frames);
+  for (const std::string& assignment : assignments) add("--set", assignment);
+  return render;
 }
 
-std::vector<std::string> HashesByReading(const std::vector<fs::path>& files) {
-  std::vector<std::string> hashes;
-  for (const fs::path& file : files) hashes.push_back(HashFile(file));
-  return hashes;
-}
-
-std::optional<std::string> FindSceneDamage(const fs::path& folder, const HashFiles& hash,
+std::optional<std::string> FindSceneDamage(const fs::path& folder, const FileHashes& hashes,
                                            const FrameRange& frames) try {
   std::vector<synth::FileRecord> records = synth::ReadManifest(folder).files;
   std::erase_if(records, [&](const auto& record) { return !IsOf(frames, record.name); });
   std::vector<fs::path> files;
   for (const synth::FileRecord& record : records) files.push_back(folder / record.name);
-  const std::vector<std::string> hashes = hash(files);
+  const std::vector<std::string> found = hashes.Of(files);
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (hashes[i] == records[i].sha256) continue;
+    if (found[i] == records[i].sha256) continue;
     return files[i].string() +
-           (hashes[i].empty() ? " cannot be read" : " has changed since it was written");
+           (found[i].empty() ? " cannot be read" : " has changed since it was written");
   }
   return std::nullopt;
 } catch (const Error& error) {
   return error.what();
 }
 
-void RequireAsRendered(const Sequence& sequence, const HashFiles& hash) {
+void RequireAsRendered(const Sequence& sequence, const FileHashes& hashes) {
   std::error_code ignored;
   if (!fs::exists(sequence.folder / synth::kManifestName, ignored)) return;
   const int frames = static_cast<int>(sequence.images.size());
-  const auto damage =
-      FindSceneDamage(sequence.folder, hash, {sequence.first_frame, sequence.first_frame + frames});
+  const auto damage = FindSceneDamage(sequence.folder, hashes,
+                                      {sequence.first_frame, sequence.first_frame + frames});
   if (!damage) return;
   throw Error(StrCat(*damage, "; expected the files that ", synth::kManifestName,
                      " lists: render the scene again, or remove that file to use other files"));
@@ -197,7 +194,7 @@ void RequireAsRendered(const Sequence& sequence, const HashFiles& hash) {
 std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data) {
   const SuiteDetector& detector = sequence.detector;
   std::vector<std::string> files = {detector.model, detector.weights, detector.names,
-                                    sequence.labels};
+                                    sequence.labels_file.string()};
   const bool is_file =
       detector.model.empty() && sequence.scene.empty() && !AreFromLabels(sequence.detections);
   if (is_file) files.push_back(sequence.detections);
@@ -208,7 +205,7 @@ std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data)
   return "";
 }
 
-DetectedBoxes FindDetectedBoxes(const DetectorInput& input, const HashFiles& hash) {
+Preparation FindDetection(const DetectorInput& input, const FileHashes& hashes) {
   const SuiteDetector& detector = input.written.detector;
   const fs::path model = input.data / detector.model;
   const fs::path weights = detector.weights.empty() ? fs::path(model).replace_extension(".weights")
@@ -216,23 +213,33 @@ DetectedBoxes FindDetectedBoxes(const DetectorInput& input, const HashFiles& has
   Json json = {{"program", kDetectorSources},
                {"opencv", ThisBuild().libraries.opencv},
                {"cpu_level", ThisBuild().cpu_level},
-               {"network", hash({model, weights, input.data / detector.names})},
+               {"network", hashes.Of({model, weights, input.data / detector.names})},
                {"input", detector.input},
                {"first_frame", input.sequence.first_frame},
                {"images", Json::array()}};
   if (detector.min_score) json["min_score"] = *detector.min_score;
   if (detector.max_overlap) json["max_overlap"] = *detector.max_overlap;
   if (input.sequence.rectification) json["rectified"] = input.sequence.rectification->identity();
-  for (const ImageHashes& pair : input.images) json["images"].push_back(pair.left);
-  DetectedBoxes boxes;
-  boxes.file = input.cache / "detections" / (Sha256Hex(DumpJson(json)) + ".txt");
-  boxes.arguments = DetectArguments(input, model, boxes.file.string());
+  for (const ImageHashes& pair : hashes.OfImages(input.sequence))
+    json["images"].push_back(pair.left);
+  const std::string hash = Sha256Hex(DumpJson(json));
+  Preparation detection;
+  detection.name = StrCat("detect-", input.written.name, "-", hash.substr(0, kNameDigits));
+  detection.sequence = input.written.name;
+  detection.output = input.cache / "detections" / (hash + ".txt");
+  detection.arguments = DetectArguments(input, model, detection.output.string());
+  detection.frames = static_cast<int>(input.sequence.images.size());
+  detection.stage = Stage::kBoxes;
+  return detection;
+}
+
+bool AreWhole(const fs::path& boxes, const FileHashes& hashes) {
   try {
-    boxes.whole = ReadFileBytes(boxes.file.string() + kChecksumSuffix, kHashBytes) ==
-                  hash({boxes.file}).front();
+    return ReadFileBytes(boxes.string() + kChecksumSuffix, kHashBytes) ==
+           hashes.Of({boxes}).front();
   } catch (const Error&) {  // one of the two does not exist
+    return false;
   }
-  return boxes;
 }
 
 }  // namespace cvo

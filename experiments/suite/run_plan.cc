@@ -15,10 +15,11 @@
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "experiments/runner/identity.h"
+#include "experiments/runner/run_files.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/system_run.h"
-#include "experiments/suite/job_input.h"
-#include "experiments/suite/plan_inputs.h"
+#include "experiments/suite/build_plan.h"
+#include "experiments/suite/suite.h"
 #include "variants/registry.h"
 
 namespace cvo {
@@ -80,27 +81,27 @@ void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
                      .landmarks = job.landmarks};
   if (plan.suite.timed_threads > 0) {
     // A timed job extracts its features itself, so that they count in its time.
-    request.images = cache.ImagesOf(sequence, request.threads);
+    request.images = cache.hashes.OfImages(sequence);
   } else {
     cache.Serve(request);
   }
   folder.CheckIdentity(IdentifyJob(request), sequence);
-  const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
+  const std::optional<RunResult> run = RunJob(request, folder.path());
   // The identity of the bytes that were processed, which may have changed since the first check.
-  folder.CheckIdentity(outcome->context.job, sequence);
-  if (outcome->run.status != RunStatus::kFailed) return;
+  folder.CheckIdentity(run->job, sequence);
+  if (run->status != RunStatus::kFailed) return;
   folder.RemoveResult();
-  throw Error(outcome->run.message);
+  throw Error(run->message);
 }
 
 void RunSystem(const Plan& plan, const PlanJob& job, const Sequence& sequence,
                const JobCache& cache, const JobFolder& folder) {
   const SystemRequest request{.sequence = sequence,
-                              .content = ContentHash(sequence, cache.ImagesOf(sequence, 1)),
-                              .files = SystemFilesOf(plan.suite, job, plan.data, cache.folder()),
+                              .content = ContentHash(sequence, cache.hashes.OfImages(sequence)),
+                              .files = SystemFilesOf(plan.suite, job, plan.data, cache.folder),
                               .seed = job.seed};
   folder.CheckIdentity(IdentifySystem(request), sequence);
-  ScoreSystem(request, folder.path());
+  WriteFilesAtomically(folder.path(), {{"result.json", ScoreSystem(request).result}});
 }
 
 }  // namespace
@@ -109,7 +110,7 @@ void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& f
                    const JobCache& cache) {
   const PlanJob& job = FindJob(plan, id, folder);
   const Sequence sequence = OpenSequence(RequestOf(plan.suite, job, plan.data));
-  RequireAsRendered(sequence, [&](const auto& files) { return cache.HashesOf(files, 1); });
+  RequireAsRendered(sequence, cache.hashes);
   const JobFolder output(folder, id);
   (job.system.empty() ? RunVariant : RunSystem)(plan, job, sequence, cache, output);
 }
@@ -172,9 +173,8 @@ void RemoveFailure(const SuiteFolder& folder, const std::string& id) {
 // Runs jobs in batches and records a problem with the folder itself.
 class JobRunner {
  public:
-  JobRunner(const Plan& plan, const PlanRun& run, Engine& engine, std::size_t total)
+  JobRunner(const PlanRun& run, Engine& engine, std::size_t total)
       : run_(run), engine_(engine), total_(total) {
-    for (const PlanJob& job : plan.jobs) planned_.insert(job.job);
     run_.progress(0, total_);
   }
 
@@ -187,7 +187,6 @@ class JobRunner {
     hooks.ended = [&](std::size_t task, const TaskEnd& end) { Judge(*jobs[task], end); };
     hooks.stop = [this] { return problem_.has_value() || Stopped(); };
     hooks.notice = run_.notice;
-    hooks.keeps = [this](const std::string& task) { return planned_.contains(task); };
     engine_.Run(tasks, hooks);
     if (problem_) throw Error(*problem_);
   }
@@ -238,7 +237,6 @@ class JobRunner {
   const PlanRun& run_;
   Engine& engine_;
   std::size_t total_;
-  std::set<std::string> planned_;
   std::size_t ended_ = 0;
   bool stopped_ = false;
   std::optional<std::string> problem_;
@@ -268,7 +266,7 @@ PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
   RemoveTemporaries(run.folder.root / "failed");
   RemoveEmptyFolders(run.folder.root / "jobs");
   CheckSpace(run.folder.root);
-  JobRunner runner(plan, run, engine, pending.first.size() + pending.rest.size());
+  JobRunner runner(run, engine, pending.first.size() + pending.rest.size());
   runner.Run(pending.first);
   runner.Run(pending.rest);
   PlanOutcome outcome = CountJobs(StatusOfAll(run.folder, plan));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/files/json/json_record.h"
 #include "experiments/suite/engine.h"
 
 namespace cvo {
@@ -18,25 +19,13 @@ namespace cvo {
 // end/<number>, and out/<number> (the output of Slurm itself). Any process that finds the folder
 // can follow the array.
 struct SlurmArray {
-  static constexpr int kSchemaVersion = 1;
+  static constexpr int kSchemaVersion = 2;
   static constexpr const char* kKind = "slurm_array";
-  struct Entry {
-    std::string name;  // Task::name
-
-    template <typename Self, typename Archive>
-    static void VisitFields(Self& self, Archive& archive) {
-      archive.Field("name", self.name);
-    }
-  };
   std::filesystem::path folder;
-  std::string name;          // Slurm's job name, unique to this array
-  std::vector<Entry> tasks;  // by task number
+  std::string name;                // Slurm's job name, unique to this array
+  std::vector<std::string> tasks;  // Task::name by task number
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("tasks", self.tasks);
-  }
+  CVO_FIELDS(name, tasks);
 };
 
 // Writes the array to a new folder in `root`, which is created if necessary. Throws Error if it
@@ -62,9 +51,8 @@ TaskEnd EndByState(const SlurmArray& array, std::size_t number, const std::strin
 
 // One task known to the queue: waiting, running or recently ended.
 struct SlurmTask {
-  std::string job;     // job id of the array: "123"
-  std::string state;   // "PENDING", "RUNNING", "COMPLETED", ...
-  std::string reason;  // why it is waiting
+  std::string job;    // job id of the array: "123"
+  std::string state;  // "PENDING", "RUNNING", "COMPLETED", ...
 
   // False if it has ended for good: Slurm will not requeue it by itself.
   bool IsAlive() const;

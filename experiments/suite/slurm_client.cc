@@ -46,8 +46,7 @@ std::string ShellQuoted(const std::string& text) {
 
 // `timeout` runs in its own subshell, so that the memory limit applies to the task alone. A second
 // try may start while the first still runs on a node that Slurm gave up: each writes its own
-// temporary file. If the disk is full, the task waits with its end for up to ten minutes: without
-// the file, a crash of Slurm's controller could leave it running there until its time limit.
+// temporary file.
 constexpr const char* kRunCommand = R"sh(
 rm -f -- "$end/$index" "$log" || exit
 start=$(date +%s.%N)
@@ -58,13 +57,7 @@ start=$(date +%s.%N)
 ) >"$log" 2>&1
 code=$?
 new="$end/.$index.${SLURM_JOB_ID:-0}.${SLURM_RESTART_COUNT:-0}.$$"
-line="$code $start $(date +%s.%N)"
-tries=600
-until printf '%s\n' "$line" >"$new" && mv -f -- "$new" "$end/$index"; do
-  tries=$((tries - 1))
-  [ "$tries" -gt 0 ] && [ -d "$end" ] || break
-  sleep 1
-done
+printf '%s\n' "$code $start $(date +%s.%N)" >"$new" && mv -f -- "$new" "$end/$index"
 exit "$code"
 )sh";
 
@@ -104,16 +97,6 @@ std::string Complaint(const Captured& captured) {
   return last.empty() ? "no answer" : last;
 }
 
-// Slurm appends who cancelled the task: "CANCELLED by 1000".
-std::string StateText(const std::string& state) {
-  if (state.starts_with("CANCELLED")) return "cancelled in Slurm";
-  if (state == "TIMEOUT") return "stopped by Slurm at its time limit";
-  if (state == "OUT_OF_MEMORY") return "stopped by Slurm at its memory limit";
-  if (state == "NODE_FAIL") return "its node failed";
-  if (state.empty()) return "left Slurm's queue without an exit code";
-  return StrCat("failed in Slurm (", state, "): check that the nodes can access this folder");
-}
-
 }  // namespace
 
 SlurmArray WriteSlurmArray(const fs::path& root, std::span<const Task> tasks) {
@@ -121,12 +104,10 @@ SlurmArray WriteSlurmArray(const fs::path& root, std::span<const Task> tasks) {
   fs::create_directories(root, error);
   if (error) throw Error(StrCat(root.string(), ": cannot create the folder: ", error.message()));
   std::string folder = (root / "array-XXXXXX").string();
-  if (::mkdtemp(folder.data()) == nullptr) {
-    throw Error(StrCat(folder, ": cannot create the folder: ", std::strerror(errno)));
-  }
+  if (::mkdtemp(folder.data()) == nullptr) ThrowErrno(folder, "create the folder", errno);
   SlurmArray array{folder, "clustervo-" + Sha256Hex(folder).substr(0, 16), {}};
   for (const char* name : {"end", "out"}) fs::create_directories(array.folder / name);
-  for (const Task& task : tasks) array.tasks.push_back({task.name});
+  for (const Task& task : tasks) array.tasks.push_back(task.name);
   WriteFilesAtomically(array.folder,
                        {{"tasks.sh", Script(tasks, array.folder)}, {kRecord, FileText(array)}});
   return array;
@@ -186,7 +167,11 @@ TaskEnd EndByCode(const Task& task, const SlurmEnd& end) {
 TaskEnd EndByState(const SlurmArray& array, std::size_t number, const std::string& state) {
   std::ifstream out(array.folder / "out" / std::to_string(number));
   const std::string words = LastLine(out);  // of Slurm
-  return {false, StateText(state) + (words.empty() ? "" : StrCat(" (", words, ")")), 0.0};
+  return {
+      false,
+      StrCat(state.empty() ? "left Slurm's queue without an exit code" : "ended by Slurm: " + state,
+             words.empty() ? "" : StrCat(" (", words, ")")),
+      0.0};
 }
 
 bool SlurmTask::IsAlive() const {
@@ -302,7 +287,7 @@ SlurmQueue SlurmClient::Queue(const std::vector<std::string>& names) const {
   if (names.empty()) return queue;
   const Captured answer =
       Ask({"squeue", "--noheader", "--array", "--states=all", StrCat("--user=", ::geteuid()),
-           "--name=" + Joined(names, ","), "--format=%j|%F|%K|%T|%r"},
+           "--name=" + Joined(names, ","), "--format=%j|%F|%K|%T"},
           patience_s_);
   std::istringstream lines(answer.out);
   for (std::string line; std::getline(lines, line);) {
@@ -311,8 +296,7 @@ SlurmQueue SlurmClient::Queue(const std::vector<std::string>& names) const {
     std::string number;
     SlurmTask task;
     if (std::getline(fields, name, '|') && std::getline(fields, task.job, '|') &&
-        std::getline(fields, number, '|') && std::getline(fields, task.state, '|') &&
-        std::getline(fields, task.reason)) {
+        std::getline(fields, number, '|') && std::getline(fields, task.state)) {
       queue[{name, ToCount(number)}] = task;
     }
   }

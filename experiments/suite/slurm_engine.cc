@@ -68,39 +68,28 @@ class SlurmRun {
   using Wanted = std::map<std::string, std::size_t>;  // tasks not submitted yet, by name
 
   // Takes over our tasks of an earlier array: those that are alive are followed, those that
-  // succeeded are reported as ended. Tasks that nobody needs are cancelled.
+  // succeeded are reported as ended. Other tasks are left alone.
   void Claim(Followed& followed, const SlurmQueue& queue, Wanted& wanted) {
     const SlurmArray& array = followed.array;
     const std::map<std::size_t, SlurmEnd> ends = ReadSlurmEnds(array);
-    std::vector<std::string> strangers;
     for (std::size_t number = 0; number < array.tasks.size(); ++number) {
       const auto found = queue.find({array.name, number});
       const bool alive = found != queue.end() && found->second.IsAlive();
       const auto end = ends.find(number);
       if (!alive && (end == ends.end() || end->second.code != 0)) continue;
       if (alive) followed.job = found->second.job;
-      const auto task = wanted.find(array.tasks[number].name);
+      const auto task = wanted.find(array.tasks[number]);
       if (task == wanted.end()) {
-        if (!alive) continue;
-        const bool keeps = hooks_.keeps(array.tasks[number].name);
-        followed.others = followed.others || keeps;
-        if (!keeps) strangers.push_back(StrCat(followed.job, "_", number));
+        followed.others = followed.others || alive;
         continue;
       }
       if (alive) followed.open.emplace(number, task->second);
       if (!alive) hooks_.ended(task->second, EndByCode(tasks_[task->second], end->second));
       wanted.erase(task);
     }
-    if (!followed.open.empty()) {
-      hooks_.notice(StrCat(
-          "slurm: job ", followed.job,
-          ", submitted by an earlier run, continues: ", Counted(followed.open.size(), "task")));
-    }
-    if (strangers.empty()) return;
-    client_.Cancel(strangers);
-    hooks_.notice(StrCat(
-        "slurm: cancelled tasks that an earlier run submitted and that are no longer needed: ",
-        Counted(strangers.size(), "task")));
+    if (followed.open.empty()) return;
+    hooks_.notice(StrCat("slurm: job ", followed.job, ", submitted by an earlier run, continues: ",
+                         Counted(followed.open.size(), "task")));
   }
 
   void ResumeEarlierArrays() {
@@ -172,7 +161,6 @@ class SlurmRun {
         hooks_.ended(task, *end);
       }
     }
-    ReportPendingReasons(queue);
   }
 
   // Returns nothing while the task is in the queue or its end file may still arrive. A task that
@@ -197,27 +185,6 @@ class SlurmRun {
       return std::nullopt;
     if (state == "COMPLETED") return TaskEnd{true, "", 0.0};
     return EndByState(followed.array, number, state);
-  }
-
-  void ReportPendingReasons(const SlurmQueue& queue) {
-    // Every task has one of these before it starts.
-    static const std::set<std::string> kOrdinary = {"None", "Priority", "Resources", "Dependency",
-                                                    "JobArrayTaskLimit"};
-    std::map<std::string, std::size_t> reasons;
-    for (const auto& [where, entry] : queue) {
-      if (entry.state == "PENDING" && !kOrdinary.contains(entry.reason)) ++reasons[entry.reason];
-    }
-    std::string all;
-    for (const auto& [reason, count] : reasons) all += reason + "\n";
-    if (all == reported_reason_) return;
-    reported_reason_ = all;
-    for (const auto& [reason, count] : reasons) {
-      const bool held = reason.find("held") != std::string::npos || reason == "JobHeldUser";
-      hooks_.notice(
-          StrCat("slurm: not started yet: ", Counted(count, "task"), ": ",
-                 reason == "BeginTime" ? "requeued by Slurm, which will start it later" : reason,
-                 held ? " (use scontrol release JOB)" : ""));
-    }
   }
 
   // Cancels everything, including arrays submitted without our knowledge, and waits for it to end.
@@ -294,7 +261,6 @@ class SlurmRun {
   std::size_t most_at_once_ = 0;  // tasks per array: halved while Slurm refuses them
   Clock::time_point retry_at_{};  // when Slurm refused even one task
   bool reported_full_ = false;
-  std::string reported_reason_;  // why tasks are pending, as last reported
 };
 
 }  // namespace

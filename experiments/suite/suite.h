@@ -9,7 +9,11 @@
 #include <vector>
 
 #include "core/files/json/json.h"
+#include "core/interface/options.h"
 #include "core/record/suite_runs.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/runner/given.h"
+#include "experiments/runner/system_run.h"
 
 namespace cvo {
 
@@ -25,23 +29,16 @@ struct SuiteDetector {
 };
 
 // One sequence of a suite, as written in the suite file: a scene to render, or a folder of images.
-struct SuiteSequence {
-  std::string scene;    // shipped name or scene file; empty: a folder
-  std::string folder;   // below the suite's data folder; empty: a scene
-  std::string name;     // for rows; default: the last component of the scene's or folder's path
-  std::string frames;   // "A:B"; empty: all
-  std::string dataset;  // as in SequenceRequest; empty: determined from the folder
-  std::string pair;     // as in SequenceRequest; empty: determined from the folder
-  std::string groundtruth = "devkit";
+// `folder` and `labels_file` are below the suite's data folder; RequestOf completes the rest.
+struct SuiteSequence : SequenceRequest {
+  std::string scene;   // shipped name or scene file; empty: a folder
+  std::string name;    // for rows; default: the last component of the scene's or folder's path
+  std::string frames;  // "A:B"; empty: all
   // Level of the scene's detector, "labels", a file below the data folder, or empty for none. With
   // `detector`: the name of that detector.
   std::string detections;
   SuiteDetector detector;
-  int detections_camera = -1;
-  std::optional<double> min_score;
   std::vector<std::string> classes;  // of detections to use; empty: RigidClasses()
-  std::string labels;                // file below the data folder; empty: the labels in the folder
-  Json layout = Json::object();      // settings of the folder's layout (SequenceRequest)
   Json perturb = Json::object();     // applied to its images and calibration (Perturbation)
 };
 
@@ -92,11 +89,12 @@ struct Suite {
   Json options = Json::object();     // nested, override the defaults; the same for all runs
   std::vector<GridAxis> grid;        // all combinations of their values are run
   bool grid_one_at_a_time = false;   // instead, vary one axis at a time from the defaults
-  std::vector<std::vector<std::string>> oracles = {{}};  // sets of switches (runner/oracle.h)
+  std::vector<std::vector<std::string>> oracles = {{}};  // sets of switches (OracleOf)
   std::vector<SuiteSystem> systems;
   int timed_threads = 0;   // threads per job, jobs run one at a time; 0: not timed
   bool landmarks = false;  // jobs of the first seed record every landmark, for overlays
   SuiteTable table;
+  Json definition = Json::object();  // as read, with absolute paths of files beside the suite file
 };
 
 // Returns the common split of all sequences, as above, or "mixed".
@@ -116,9 +114,6 @@ Suite ParseSuite(const Json& json, const std::string& where,
 Suite ReadCheckedSuite(const Json& json, const std::string& where,
                        const std::filesystem::path& folder = {});
 
-// Returns the suite as a file that ParseSuite reads back, with everything resolved.
-Json SuiteToJson(const Suite& suite);
-
 // Throws Error naming `where` and the key if the suite cannot be run: an unknown name, an invalid
 // option, or grid points that its table would mix.
 void CheckSuite(const Suite& suite, const std::string& where);
@@ -132,9 +127,68 @@ struct SuiteOverrides {
   std::vector<std::string> set;
   std::string frames = {};  // "A:B", for every sequence; empty: the suite's own
 };
-Suite Override(Suite suite, const SuiteOverrides& overrides);
+Suite Override(const Suite& suite, const SuiteOverrides& overrides);
 
 // Returns a list of texts. Throws Error naming `where` for anything else.
 std::vector<std::string> ReadTexts(const Json& value, const std::string& where);
+
+// One point of a grid: an object with the value of every axis by its path.
+using GridPoint = Json;
+
+// Parses the values of an axis as written in a suite file: a list, or {"from", "to", "steps"} with
+// an optional "scale" ("linear" or "log"). Values between the ends are rounded to six significant
+// digits. Throws Error naming `where`.
+std::vector<Json> ParseAxisValues(const Json& json, const std::string& where);
+
+// Returns all points, with the last axis varying fastest. One at a time: first the point with every
+// axis at its default, then each axis in turn through its other values. The default of an option is
+// its value for the variant (empty: for none in particular) under the suite's options; "scene." and
+// "perturb." axes take theirs from the sequence.
+std::vector<GridPoint> GridPoints(const Suite& suite, const SuiteSequence& sequence,
+                                  const std::string& variant);
+
+// Whether the path of an axis refers to a scene file ("scene.") or to an estimator option. Any
+// other is that of a perturbation ("perturb.").
+bool IsScenePath(const std::string& path);
+bool IsOptionPath(const std::string& path);
+// "a.b" in nested objects.
+Json::json_pointer PointerTo(const std::string& path);
+
+// Returns the estimator's options at a grid point: the variant's defaults (the general ones if
+// `variant` is empty, for another system), overridden by the suite's options and then by those of
+// the point. Throws Error for unknown or inconsistent options.
+Options OptionsOf(const Suite& suite, const std::string& variant, const GridPoint& parameters);
+
+// Returns the sequence's perturbation with the "perturb." values of the grid point applied over it.
+// Throws Error naming the key.
+Perturbation PerturbationOf(const SuiteSequence& sequence, const GridPoint& parameters,
+                            std::uint64_t seed);
+
+// Returns what a grid point assigns to the scene, as in "sensor.read_noise=0". If the point changes
+// the detector, its values apply on top of the level that the sequence names.
+std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
+                                          const GridPoint& parameters);
+
+// Returns all jobs of a suite before their input is located, ordered by sequence, then seed,
+// parameters, oracle and variant.
+std::vector<PlanJob> ExpandSuite(const Suite& suite);
+
+// Returns the request that opens the job's sequence, which is in `job.folder`. Files of boxes and
+// labels are below `data`, except `job.boxes`, which a detector wrote (empty: open the sequence
+// without them).
+SequenceRequest RequestOf(const Suite& suite, const PlanJob& job,
+                          const std::filesystem::path& data);
+
+// Returns the level of the scene's own detector that the sequence names, or an empty string if
+// there is none.
+std::string DetectorLevel(const SuiteSequence& sequence);
+
+// Returns the classes of detections to use: the sequence's own, or RigidClasses() if it has none.
+std::vector<std::string> ClassesOf(const SuiteSequence& sequence);
+
+// Returns the files of a job of another system, below `data`. Trajectories shipped with the
+// program are written below the cache folder.
+SystemFiles SystemFilesOf(const Suite& suite, const PlanJob& job, const std::filesystem::path& data,
+                          const std::filesystem::path& cache);
 
 }  // namespace cvo

@@ -62,7 +62,6 @@ struct PageRequest {
   std::filesystem::path against;  // output folder to compare with; empty: none
   std::string default_options;    // nested JSON; empty: unknown
   std::vector<Fact> variants;     // all variants, each with its meaning
-  bool images_of_all = false;     // for all runs shown, not only for one per sequence
 };
 
 // Reads whatever can be read from the folder. Throws Error only if it holds no plan.json.

@@ -71,7 +71,6 @@ void ReadSuite(const PageRequest& request, PageContent& content) {
 void ReadScenes(const PageRequest& request, PageContent& content) {
   ChooseScenes(kMostScenes, content);
   std::erase_if(content.scenes, [&](PageScene& scene) {
-    scene.wants_images = scene.wants_images || request.images_of_all;
     PageRun& run = content.runs[scene.run];
     const std::size_t missing = run.missing.size();
     Try("frame by frame: ", run.missing,

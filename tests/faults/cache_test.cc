@@ -12,7 +12,7 @@
 #include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
 #include "core/files/text_file.h"
-#include "experiments/suite/plan_inputs.h"
+#include "experiments/suite/build_plan.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
 
@@ -89,11 +89,11 @@ TEST_F(FolderFaults, DamageOfEveryFileIsDetected) {
     const std::string swapped = ReadFileBytes(other / file.lexically_relative(scene_));
     for (const std::string& bytes : {Flipped(whole), whole.substr(0, whole.size() / 2), swapped}) {
       Damage(file, bytes);
-      EXPECT_TRUE(FindSceneDamage(scene_, HashesByReading)) << path;
+      EXPECT_TRUE(FindSceneDamage(scene_, {})) << path;
     }
     Damage(file, whole);
   }
-  EXPECT_EQ(FindSceneDamage(scene_, HashesByReading), std::nullopt);
+  EXPECT_EQ(FindSceneDamage(scene_, {}), std::nullopt);
 }
 
 TEST_F(FolderFaults, ARunRendersADamagedSceneAgain) {

@@ -9,7 +9,7 @@
 
 #include "core/files/images/image_file.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/runner/run_sequence.h"
+#include "experiments/runner/run_job.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"

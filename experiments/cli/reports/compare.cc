@@ -114,7 +114,6 @@ int CompareSuites(const CompareFlags& flags) {
 bool IsSuite(const fs::path& folder) {
   if (fs::exists(folder / "plan.json")) return true;
   if (fs::exists(folder / "result.json")) return false;
-  CheckNoCollection(folder);
   ThrowError(folder.string(), "no result.json or plan.json",
              "the output folder of a run or of a suite");
 }

@@ -14,7 +14,7 @@
 #include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
-#include "experiments/runner/oracle.h"
+#include "experiments/runner/given.h"
 #include "experiments/runner/run_job.h"
 #include "reports/chart/chart.h"
 #include "reports/runs/body_story.h"

@@ -3,7 +3,6 @@
 // What pictures are drawn from: the images and detections of runs, and trajectories of files and
 // runs.
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <numbers>
 #include <optional>
@@ -16,14 +15,11 @@
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/metrics/trajectory.h"
-#include "experiments/runner/frame_detections.h"
+#include "experiments/runner/given.h"
 #include "experiments/runner/identity.h"
 
 namespace cvo {
 namespace {
-
-constexpr std::array<const char*, 4> kDetections = {"good", "oracle", "poor",
-                                                    kDetectionsFromLabels};
 
 SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& folder) {
   SequenceRequest request;
@@ -34,19 +30,6 @@ SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& fol
   request.begin_frame = run.sequence.first_frame;
   request.end_frame = run.sequence.first_frame + run.sequence.frames;
   return request;
-}
-
-// Candidate sources of the run's boxes: the file that the run says it read, then whatever its
-// folder may contain.
-std::vector<BoxSources> SourcesOf(const reports::RunPaths& paths) {
-  const std::string labels = paths.labels.value_or("");
-  std::vector<BoxSources> sources;
-  if (paths.detections) {
-    sources.push_back({labels, *paths.detections, paths.detections_camera.value_or(-1),
-                       paths.min_score.value_or(BoxSources().min_score)});
-  }
-  for (const char* name : kDetections) sources.push_back({labels, name});
-  return sources;
 }
 
 Sequence OpenImages(const reports::OverlayRun& run, const std::string& folder) {
@@ -85,17 +68,16 @@ cv::Mat RunImages::Left(int frame) const {
 }
 
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run) {
-  for (const BoxSources& source : SourcesOf(run.detail.timing.paths)) {
-    SequenceRequest request = RequestOf(run, folder);
-    request.detections_file = source.detections;
-    request.detections_camera = source.detections_camera;
-    request.min_score = source.min_score;
-    request.labels_file = source.labels;
-    try {
-      Sequence sequence = OpenSequence(request);
-      if (DetectionsHash(sequence) == run.sequence.detections_hash) return sequence;
-    } catch (const Error&) {  // the folder lacks this level, or files have moved
-    }
+  const reports::RunPaths& paths = run.detail.timing.paths;
+  SequenceRequest request = RequestOf(run, folder);
+  request.detections_file = paths.detections.value_or("");
+  request.detections_camera = paths.detections_camera.value_or(-1);
+  request.min_score = paths.min_score.value_or(BoxSources().min_score);
+  request.labels_file = paths.labels.value_or("");
+  try {
+    Sequence sequence = OpenSequence(request);
+    if (DetectionsHash(sequence) == run.sequence.detections_hash) return sequence;
+  } catch (const Error&) {  // files have moved
   }
   return std::nullopt;
 }
@@ -154,7 +136,7 @@ PlotInput ReadRunInput(const std::string& path) {
   }
   const reports::RunSummary run = reports::ReadRun(result, {});
   reports::RunDetail detail = reports::ReadRunDetail(path);
-  PlotInput input{path, run.variant, run.sequence.name, {}, true, true, {}, {}};
+  PlotInput input{path, run.variant, run.sequence.name, {}, true, {}, {}};
   for (const reports::CameraFrame& frame : detail.camera) {
     if (frame.truth)
       input.truth.push_back({frame.timestamp_ns, reports::TransformOf(*frame.truth)});
@@ -180,7 +162,6 @@ PlotInput ReadPlotInput(const std::string& path) {
       input.poses = ReadEurocPoses(path);
     } else {
       input.timed = DetectPoseFormat(path) == "tum";
-      input.camera_axes = !input.timed;
       input.poses = input.timed ? ReadTumTrajectory(path) : ReadKittiTrajectory(path);
     }
   }

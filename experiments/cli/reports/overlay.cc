@@ -201,7 +201,7 @@ OverlayWriter::OverlayWriter(const OverlayFlags& flags, const std::vector<std::s
 
 cv::Mat OverlayWriter::Draw(const cv::Mat& image, int frame, int width_px) const {
   reports::OverlayStyle style = reports::StyleFor(camera_, width_px);
-  style.inset = style.inset && !flags_.no_inset && !inferred_;
+  style.inset = style.inset && !inferred_;
   style.boxes = !inferred_;
   style.wrong = inferred_;
   std::vector<cv::Mat> pictures;
@@ -325,7 +325,6 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
   app.add_flag("--video", flags.video,
                "also write DIR/video.mp4, or .webm or .avi if OpenCV cannot write MP4");
   app.add_flag("--no-images", flags.no_images, "write only the sheet or video, no image per frame");
-  app.add_flag("--no-inset", flags.no_inset, "omit the bird's-eye view in the corner");
   AddQuiet(app, flags.quiet);
 }
 

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <limits>
 #include <memory>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -29,7 +28,7 @@ struct PlotFlags {
   std::vector<std::string> inputs;
   std::string groundtruth;
   std::string align;
-  std::string up;
+  std::string up = "y";
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   SuiteFigureFlags suite;  // output and style: also of trajectories
 };
@@ -47,27 +46,6 @@ struct Axes {
   std::size_t ahead = 2;  // the axis that is vertical on the map
   double first_s = 0.0;
 };
-
-double ExtentAlong(Eigen::Index axis, const Trajectory& poses) {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const TimedPose& pose : poses) {
-    low = std::min(low, pose.world_from_camera.translation()[axis]);
-    high = std::max(high, pose.world_from_camera.translation()[axis]);
-  }
-  return high - low;
-}
-
-// Runs and KITTI files have y down. For others, the vertical is the axis, y or z, along which they
-// extend less.
-bool HasZUp(const std::string& up, const PlotContent& content) {
-  if (!up.empty()) return up == "z";
-  const bool cameras = std::any_of(content.inputs.begin(), content.inputs.end(),
-                                   [](const PlotInput& input) { return input.camera_axes; });
-  const Trajectory& shown =
-      content.reference ? content.reference->poses : content.inputs.front().poses;
-  return !cameras && ExtentAlong(1, shown) > ExtentAlong(2, shown);
-}
 
 TrajectoryAlignment AlignmentOf(const std::string& align, const PlotContent& content) {
   const std::optional<PlotReference>& reference = content.reference;
@@ -90,7 +68,7 @@ PlotContent ReadContent(const PlotFlags& flags) {
   } else {
     content.reference = ReferenceAmong(content.inputs);
   }
-  content.matching = {AlignmentOf(flags.align, content), HasZUp(flags.up, content),
+  content.matching = {AlignmentOf(flags.align, content), flags.up == "z",
                       static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s))};
   for (const PlotInput& input : content.inputs) {
     const bool is_reference =
@@ -105,40 +83,25 @@ PlotContent ReadContent(const PlotFlags& flags) {
 std::string TitleOf(const PlotContent& content) {
   const std::optional<PlotReference>& reference = content.reference;
   if (!reference) return "Trajectory of " + content.inputs.front().name + ". No ground truth";
-  const TrajectoryAlignment alignment = content.matching.alignment;
-  std::string title = StrCat(content.inputs.size() > 1 ? "Trajectories" : "Trajectory", " against ",
-                             reference->name, ". ", reports::Capitalised(DescriptionOf(alignment)));
-  if (alignment == TrajectoryAlignment::kNone && reference->of_run) {
-    title += " here (the truth is in the world of its run, aligned by the camera)";
-  }
-  if (!content.inputs.front().timed) return title + "; poses matched by line number";
-  return StrCat(title, "; poses matched within ",
-                1e-9 * static_cast<double>(content.matching.tolerance_ns), " s");
+  const std::string title =
+      StrCat("Trajectories against ", reference->name, ". ",
+             reports::Capitalised(DescriptionOf(content.matching.alignment)), "; poses matched ");
+  if (!content.inputs.front().timed) return title + "by line number";
+  return StrCat(title, "within ", Seconds(content.matching.tolerance_ns), " s");
 }
 
-std::string CaptionOf(const PlotContent& content, bool bodies) {
-  const std::optional<PlotReference>& reference = content.reference;
-  const TrajectoryAlignment alignment = content.matching.alignment;
-  std::string caption = reference && reference->is_truth ? "Grey: truth. " : "";
-  caption += StrCat("Dot: start. The map is seen from above, with ",
-                    content.matching.z_up ? "z up" : "y down", "; both its axes have one scale.");
-  if (reference && !reference->is_truth) {
-    caption += StrCat(" Distances are from ", reference->name, ", which is not ground truth.");
-  }
-  if (reference &&
-      (alignment == TrajectoryAlignment::kSe3 || alignment == TrajectoryAlignment::kSim3)) {
-    caption += " For rotation errors, orientations are aligned by their own mean.";
-  }
-  if (bodies) {
+std::string CaptionOf(const PlotContent& content) {
+  std::string caption = StrCat(
+      "Grey: truth. Dot: start. The map is seen from above, with ",
+      content.matching.z_up ? "z up" : "y down",
+      "; both its axes have one scale. Thin: moving bodies where their estimate counts, with "
+      "the truth aligned by the camera. For rotation errors, orientations are aligned by "
+      "their own mean.");
+  if (content.reference && !content.reference->is_truth) {
     caption +=
-        " Thin: moving bodies where their estimate counts, with the truth aligned by the "
-        "orientations of the camera.";
+        StrCat(" Distances are from ", content.reference->name, ", which is no ground truth.");
   }
   return caption;
-}
-
-double MeanOf(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 void PrintSummary(const std::vector<PlotTrack>& tracks) {
@@ -272,7 +235,7 @@ reports::Figure FigureOf(const PlotContent& content) {
   for (const reports::BodyDetail& body : content.inputs.front().bodies) {
     if (bodies) AddBody(body, palette.Line(names.front()), axes, panels[0]);
   }
-  reports::Figure figure{"", TitleOf(content), CaptionOf(content, bodies), {}};
+  reports::Figure figure{"", TitleOf(content), CaptionOf(content), {}};
   figure.chart.panels = std::move(panels);
   figure.chart.share_x = true;
   return figure;
@@ -305,7 +268,6 @@ int Plot(const CLI::App& app, const PlotFlags& flags) {
       [](const std::string& input) { return fs::exists(fs::path(input) / "plan.json"); });
   if (suite == flags.inputs.end()) {
     RefuseFlags(app, {"--format", "--only"}, "applies to a suite");
-    for (const std::string& input : flags.inputs) CheckNoCollection(input);
     return DrawPlot(flags);
   }
   if (flags.inputs.size() > 1) {
@@ -338,10 +300,9 @@ Command AddPlotCommand(CLI::App& program) {
       "the first common pose) or yaw (about the vertical, and translation); default: "
       "se3 with ground truth, otherwise none")
       ->check(OneOf({"none", "se3", "sim3", "origin", "yaw"}));
-  add("--up", flags->up, "AXIS",
-      "vertical axis: y (down, as cameras have it) or z (up); default: y for runs and "
-      "KITTI files, otherwise the axis with the smaller extent")
-      ->check(OneOf({"y", "z"}));
+  add("--up", flags->up, "AXIS", "vertical axis: y (down, as cameras have it) or z (up)")
+      ->check(OneOf({"y", "z"}))
+      ->capture_default_str();
   add("--max-time-difference", flags->max_time_difference_s, "S",
       "maximum time difference of matching poses, in seconds")
       ->check(Within(0.0, 1e6))

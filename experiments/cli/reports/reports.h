@@ -39,10 +39,8 @@ std::string DefaultOptions();
 
 struct ReportFlags {
   std::string folder;
-  std::vector<std::string> runs = {};  // on one sequence, instead of a suite's folder
-  std::string out = {};                // empty: the subfolder "report"
+  std::string out = {};  // empty: the subfolder "report"
   std::string against = {};
-  int every = 0;
   bool no_images = false;
 };
 
@@ -64,7 +62,6 @@ struct OverlayFlags {
   bool sheet = false;
   bool video = false;
   bool no_images = false;
-  bool no_inset = false;
   bool quiet = false;
 };
 
@@ -106,8 +103,7 @@ class RunImages {
 };
 
 // Opens the sequence of a run, in `folder` or, if that is empty, where the run found it, with the
-// detections that the run was given: those of the file that the run read, of a detector level of
-// the scene or of the labels, whichever has the hash in the result. Empty if none of them has.
+// detections that the run was given. Empty if they are no longer where the run read them.
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run);
 
 // Returns the detections of these classes, by frame. Boxes of another camera stay where they were
@@ -125,7 +121,6 @@ struct PlotInput {
   std::string sequence;                     // runs only
   Trajectory poses;                         // row i of a KITTI file is at time i s
   bool timed = true;                        // false for a KITTI file
-  bool camera_axes = false;                 // y is known to point down: runs and KITTI files
   Trajectory truth;                         // runs only, in the world of the run; may be empty
   std::vector<reports::BodyDetail> bodies;  // runs only
 };

@@ -11,12 +11,11 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
-#include "core/files/json/options_json.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
-#include "core/interface/options.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
+#include "experiments/runner/run_job.h"
 #include "experiments/suite/engine.h"
 #include "reports/runs/run_detail.h"
 #include "reports/tables/make_table.h"
@@ -46,7 +45,6 @@ std::string Rendered(const reports::Table& table, const TableFormat& format) {
 // not run yet. Throws Error if there is no plan.
 int OutputSuiteTable(const fs::path& folder, const TableFormat& format,
                      const std::string& compared_with) {
-  CheckNoCollection(folder);
   const reports::Table table =
       reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions(), compared_with);
   const bool is_kept = format.format == "terminal" && compared_with.empty();
@@ -73,7 +71,6 @@ struct TableFlags {
 
 // Medians over the runs of a row; stages are means over frames.
 int PrintTimes(const std::string& folder) {
-  CheckNoCollection(folder);
   const reports::SuiteTimes times = reports::ReadSuiteTimes(folder);
   TextTable table(times.table.front());
   for (std::size_t i = 1; i < times.table.size(); ++i) table.Add(times.table[i]);
@@ -112,10 +109,7 @@ void OutputTable(const reports::Table& table, const TableFormat& format,
   std::cout << "written: " << format.output << '\n';
 }
 
-std::string DefaultOptions() {
-  Options options;
-  return DumpJson(OptionsToJson(OptionLeaves(options)));
-}
+std::string DefaultOptions() { return DumpJson(ResolvedOptions({})); }
 
 Command AddExperimentTableCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(

@@ -20,7 +20,7 @@
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/system_run.h"
-#include "experiments/suite/plan_inputs.h"
+#include "experiments/suite/build_plan.h"
 
 namespace cvo {
 namespace {
@@ -34,7 +34,6 @@ struct TrajectoryFlags {
   bool json = false;
   SequenceFlags sequence;  // scored against its own truth; without a folder: two files
   double most_s = 1.0;     // of the clock offset
-  std::string format;
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   std::string objects;
   std::string name;
@@ -58,7 +57,6 @@ struct PairedPoses {
 };
 
 std::string FormatOfBoth(const TrajectoryFlags& flags) {
-  if (!flags.format.empty()) return flags.format;
   const std::string truth = DetectPoseFormat(flags.groundtruth);
   const std::string estimate = DetectPoseFormat(flags.estimate);
   if (truth != estimate) {
@@ -174,15 +172,15 @@ int EvaluateSequence(const TrajectoryFlags& flags) {
     read.insert(read.end(), {estimate, flags.objects});
     output.reset(new OutputFolder(OpenOutput(flags.output, {kResult}, read)));
   }
-  RequireAsRendered(sequence, HashesByReading);
+  RequireAsRendered(sequence, {});
   const std::string name = flags.name.empty() ? fs::path(estimate).stem().string() : flags.name;
   SystemRequest request{sequence, "", {name, estimate, flags.objects}, 0, flags.right_shift_px};
   if (flags.json || output) {
     ReadSystem(sequence, request.files);  // reports bad files before the images are hashed
-    request.content = ContentHash(sequence, HashImages(sequence));
+    request.content = ContentHash(sequence, FileHashes().OfImages(sequence));
   }
-  const SystemOutcome outcome =
-      output ? ScoreSystem(request, output->path()) : ScoreSystem(request);
+  const SystemOutcome outcome = ScoreSystem(request);
+  if (output) WriteFilesAtomically(output->path(), {{kResult, outcome.result}});
   if (flags.json) {
     std::cout << outcome.result;
   } else {
@@ -242,7 +240,7 @@ int EstimateClock(const TrajectoryFlags& flags) {
 const std::vector<std::string> kOfSequence = {
     "--type",          "--dataset", "--pair", "--frames", "--labels",
     "--labels-camera", "--objects", "--name", "--output", "--right-shift"};
-const std::vector<std::string> kOfFiles = {"--format", "--max-time-difference"};
+const std::vector<std::string> kOfFiles = {"--max-time-difference"};
 
 void CheckUsage(const CLI::App& app, const TrajectoryFlags& flags) {
   if (app.count("--sequence") > 0) {
@@ -274,9 +272,6 @@ Command AddTrajectoryCommand(CLI::App& eval) {
   const auto flags = std::make_shared<TrajectoryFlags>();
   const FlagAdder add{*app};
   AddInputs(*app, *flags);
-  add("--format", flags->format, "NAME",
-      "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: from the number of columns")
-      ->check(OneOf({"tum", "kitti"}));
   add("--max-time-difference", flags->max_time_difference_s, "SECONDS",
       "maximum time difference of matching TUM poses")
       ->check(Within(0.0, 1e6))

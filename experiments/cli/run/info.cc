@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -16,8 +16,7 @@
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/runner/result_file.h"
-#include "reports/overlays/picture_files.h"
+#include "experiments/runner/run_files.h"
 
 namespace cvo {
 namespace {
@@ -43,78 +42,45 @@ const OrbKeypoint* MostAlike(const OrbKeypoint& keypoint, const std::vector<OrbK
   return best <= kFarthest && best < kUniqueness * second ? alike : nullptr;
 }
 
-std::vector<PairCheck::Match> MatchAnywhere(const cv::Mat& left, const cv::Mat& right) {
+// Returns left minus right of the corners that are each other's most alike.
+std::vector<Eigen::Vector2d> MatchAnywhere(const cv::Mat& left, const cv::Mat& right) {
   const OrbOptions options = {.features = 1000};
   const std::vector<OrbKeypoint> of_left = ExtractOrb(left, options).keypoints;
   const std::vector<OrbKeypoint> of_right = ExtractOrb(right, options).keypoints;
-  std::vector<PairCheck::Match> matches;
+  std::vector<Eigen::Vector2d> apart_px;
   for (const OrbKeypoint& keypoint : of_left) {
     const OrbKeypoint* partner = MostAlike(keypoint, of_right);
     if (partner == nullptr || MostAlike(*partner, of_left) != &keypoint) continue;
-    matches.push_back({{keypoint.u_px, keypoint.v_px}, {partner->u_px, partner->v_px}});
+    apart_px.emplace_back(keypoint.u_px - partner->u_px, keypoint.v_px - partner->v_px);
   }
-  return matches;
-}
-
-double MedianOf(const std::vector<PairCheck::Match>& matches,
-                double (*value)(const Eigen::Vector2d&)) {
-  std::vector<double> values;
-  for (const PairCheck::Match& match : matches)
-    values.push_back(value(match.left_px - match.right_px));
-  return Median(std::move(values));
+  return apart_px;
 }
 
 }  // namespace
 
-std::string PairCheck::Problem() const {
-  if (cv::norm(left, right, cv::NORM_INF) == 0.0) return "the left and right images are the same";
-  if (disparity_px < 0.0) {
-    return "left and right seem to be swapped: points are farther right in the right image than in "
-           "the left";
-  }
-  return "";
-}
-
-cv::Mat PairCheck::Picture() const {
-  constexpr std::size_t kShown = 24;
-  cv::Mat picture;
-  cv::hconcat(left, right, picture);
-  cv::cvtColor(picture, picture, cv::COLOR_GRAY2BGR);
-  constexpr int kShift = 3;  // fractional bits of OpenCV's coordinates
-  const auto at = [&](double u_px, double v_px) {
-    return cv::Point(static_cast<int>(std::lround(u_px * (1 << kShift))),
-                     static_cast<int>(std::lround(v_px * (1 << kShift))));
-  };
-  const std::vector<cv::Scalar> colors = {
-      {0, 200, 255}, {80, 220, 80}, {255, 160, 60}, {200, 100, 255}};
-  const std::size_t shown = std::min(kShown, matches.size());
-  for (std::size_t i = 0; i < shown; ++i) {
-    const Match& match = matches[i * matches.size() / shown];
-    const cv::Scalar& color = colors[i % colors.size()];
-    const double v_px = match.left_px.y();
-    cv::line(picture, at(0.0, v_px), at(picture.cols - 1.0, v_px), color, 1, cv::LINE_AA, kShift);
-    for (const cv::Point& corner :
-         {at(match.left_px.x(), v_px), at(left.cols + match.right_px.x(), match.right_px.y())}) {
-      cv::circle(picture, corner, 5 << kShift, color, 2, cv::LINE_AA, kShift);
-    }
-  }
-  return picture;
-}
-
 std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence) {
   constexpr std::size_t kFewest = 20;
   const std::size_t middle = sequence.images.size() / 2;
-  PairCheck pair;
-  pair.frame = sequence.first_frame + static_cast<int>(middle);
-  pair.left = LoadFrameImage(sequence, middle, 0).grey;
-  pair.right = LoadFrameImage(sequence, middle, 1).grey;
-  if (pair.left.empty() || pair.right.empty()) return std::nullopt;
-  pair.matches = MatchAnywhere(pair.left, pair.right);
-  if (pair.matches.size() < kFewest) return std::nullopt;
-  pair.row_error_px =
-      MedianOf(pair.matches, [](const Eigen::Vector2d& apart) { return std::abs(apart.y()); });
-  pair.disparity_px =
-      MedianOf(pair.matches, [](const Eigen::Vector2d& apart) { return apart.x(); });
+  const cv::Mat left = LoadFrameImage(sequence, middle, 0).grey;
+  const cv::Mat right = LoadFrameImage(sequence, middle, 1).grey;
+  if (left.empty() || right.empty()) return std::nullopt;
+  const std::vector<Eigen::Vector2d> apart_px = MatchAnywhere(left, right);
+  if (apart_px.size() < kFewest) return std::nullopt;
+  std::vector<double> rows_px;
+  std::vector<double> disparities_px;
+  for (const Eigen::Vector2d& apart : apart_px) {
+    disparities_px.push_back(apart.x());
+    rows_px.push_back(std::abs(apart.y()));
+  }
+  PairCheck pair{sequence.first_frame + static_cast<int>(middle), apart_px.size(),
+                 Median(std::move(rows_px)), Median(std::move(disparities_px)), ""};
+  if (cv::norm(left, right, cv::NORM_INF) == 0.0) {
+    pair.problem = "the left and right images are the same";
+  } else if (pair.disparity_px < 0.0) {
+    pair.problem =
+        "left and right seem to be swapped: points are farther right in the right image than in "
+        "the left";
+  }
   return pair;
 }
 
@@ -124,7 +90,6 @@ namespace fs = std::filesystem;
 
 struct InfoFlags {
   SequenceFlags sequence;
-  std::string picture;
   bool json = false;
 };
 
@@ -156,7 +121,7 @@ std::ptrdiff_t FramesWithTruth(const Sequence& sequence) {
 std::vector<std::string> Warnings(const Sequence& sequence, const std::optional<PairCheck>& pair) {
   const std::unique_ptr<BodyTruthReader> bodies = ReadBodyTruth(sequence);
   std::vector<std::string> lines = FindImplausible(sequence, bodies ? &bodies->objects() : nullptr);
-  if (pair && !pair->Problem().empty()) lines.push_back("stereo pair: " + pair->Problem());
+  if (pair && !pair->problem.empty()) lines.push_back("stereo pair: " + pair->problem);
   return lines;
 }
 
@@ -195,7 +160,7 @@ std::string RateText(const Sequence& sequence) {
 
 // In rectified images, corresponding points lie in the same row.
 std::string RowsText(const PairCheck& pair) {
-  return StrCat(ReadableNumber(pair.row_error_px), " px (median of ", pair.matches.size(),
+  return StrCat(ReadableNumber(pair.row_error_px), " px (median of ", pair.matches,
                 " matches in frame ", pair.frame, "); median disparity ",
                 ReadableNumber(pair.disparity_px), " px");
 }
@@ -203,7 +168,7 @@ std::string RowsText(const PairCheck& pair) {
 Json RowsJson(const std::optional<PairCheck>& pair) {
   if (!pair) return nullptr;
   return {{"frame", pair->frame},
-          {"matches", pair->matches.size()},
+          {"matches", pair->matches},
           {"median_row_error_px", pair->row_error_px},
           {"median_disparity_px", pair->disparity_px}};
 }
@@ -281,27 +246,18 @@ int ListSequences(const std::vector<FoundSequence>& found, bool json) {
 }
 
 int ShowInfo(const InfoFlags& flags) {
-  const bool draws = !flags.picture.empty();
-  if (draws && fs::path(flags.picture).extension() != ".png") {
-    throw UsageError(StrCat("--picture ", flags.picture, ": expected a name that ends in .png"));
-  }
   const SequenceRequest request = flags.sequence.Request();
   if (request.type.empty() && DetectSequenceType(NormalFolder(request.folder)).empty()) {
     const std::vector<FoundSequence> found = FindSequences(request.folder);
     if (!found.empty()) return ListSequences(found, flags.json);
   }
   const Sequence sequence = OpenSequence(request);
-  if (draws) CheckOutputFile(flags.picture, FoldersOf(sequence));
   const std::optional<PairCheck> pair = CheckMiddlePair(sequence);
   if (flags.json) {
     std::cout << DumpJson(InfoJson(sequence, pair));
   } else {
     PrintInfo(sequence, pair);
   }
-  if (!draws) return 0;
-  if (!pair) ThrowError(sequence.folder.string(), "too few matches in the middle frame", "20");
-  WriteOutputFile(flags.picture, reports::PngBytes(pair->Picture()), FoldersOf(sequence));
-  if (!flags.json) std::cout << "written: " << flags.picture << '\n';
   return 0;
 }
 
@@ -310,18 +266,14 @@ int ShowInfo(const InfoFlags& flags) {
 Command AddInfoCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "info", "Describe a sequence folder: frames, rate, calibration, ground truth, missing files");
-  const FlagAdder add{*app};
   const auto flags = std::make_shared<InfoFlags>();
   flags->sequence.AddTo(*app);
   app->add_flag("--json", flags->json, "print JSON");
-  add("--picture", flags->picture, "FILE",
-      "also draw the middle pair of images (PNG) with features found in both: each must "
-      "lie in the same row");
   app->footer(
       "For a folder that contains several sequences, lists them.\n"
       "Examples:\n"
       "  clustervo info kitti_raw/2011_09_26/2011_09_26_drive_0001_sync\n"
-      "  clustervo info --left cam0 --right cam1 --calib camchain.yaml --picture rows.png");
+      "  clustervo info --left cam0 --right cam1 --calib camchain.yaml");
   return {app, [flags] { return ShowInfo(*flags); }};
 }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,36 +13,148 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/json/options_json.h"
-#include "core/files/text/closest_names.h"
 #include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
 #include "experiments/runner/identity.h"
+#include "experiments/runner/run_files.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/suite/plan_inputs.h"
+#include "experiments/suite/build_plan.h"
 #include "synth/write/render_cache.h"
 #include "variants/registry.h"
 
 namespace cvo {
+
 namespace {
+
+const std::string kNone = "-";
+
+// Returns "camera_causal_ate" for "camera_ate", and the reverse.
+std::string Named(const std::string& name, bool causal) {
+  reports::MetricForm form = reports::FindForm(name).value();
+  form.causal = causal;
+  return reports::MetricName(form);
+}
+
+// Whether the metric is printed by default.
+bool IsKeyMetric(const std::string& name) {
+  constexpr std::array<std::string_view, 8> kKey = {
+      "camera_ate",          "camera_trpe_1_frame", "camera_rrpe_1_frame", "object_ate",
+      "object_success_10cm", "object_coverage",     "moving_precision",    "moving_recall"};
+  return std::find(kKey.begin(), kKey.end(), name) != kKey.end();
+}
+
+std::string Value(const std::optional<double>& value) {
+  return value ? ReadableNumber(*value) : kNone;
+}
+
+std::string SuccessAt10cm(const BodyScore& body) {
+  constexpr double kLimit_m = 0.1;
+  const std::vector<double>& errors_m = body.errors.position_m;
+  const auto within = std::count_if(errors_m.begin(), errors_m.end(),
+                                    [](double error_m) { return error_m <= kLimit_m; });
+  return ReadableNumber(static_cast<double>(within) / body.visible_frames);
+}
+
+}  // namespace
+
+void PrintBodies(const std::vector<BodyScore>& bodies, const std::vector<Metric>& metrics,
+                 std::ostream& out) {
+  double least_travel_m = 0.0;
+  for (const Metric& metric : metrics) {
+    least_travel_m = std::max(least_travel_m, metric.contract.travel_m.value_or(0.0));
+  }
+  const std::string moves = StrCat("moves (> ", ReadableNumber(least_travel_m), " m)");
+  TextTable table({"body", "class", moves, "travel m", "cluster", "visible", "estimated", "ATE m",
+                   "in 10 cm", "motion rad", "motion m", "velocity error m/s", "switches"});
+  for (const BodyScore& body : bodies) {
+    table.Add({body.name, body.category, body.mover ? "yes" : "no", ReadableNumber(body.travel_m),
+               body.cluster < 0 ? kNone : std::to_string(body.cluster),
+               std::to_string(body.visible_frames), std::to_string(body.estimated_frames),
+               Value(body.ate_m), SuccessAt10cm(body), Value(body.motion_rad), Value(body.motion_m),
+               Value(body.velocity_m_s), std::to_string(body.id_switches)});
+  }
+  table.Print(out);
+}
+
+void PrintMetrics(const std::vector<Metric>& metrics, std::ostream& out) {
+  TextTable table({"metric", "value", "unit", "n"});
+  for (const Metric& metric : metrics) {
+    table.Add(
+        {metric.name, ReadableNumber(metric.value), NameOf(metric.unit), std::to_string(metric.n)});
+  }
+  table.Print(out);
+}
+
+namespace {
+
+void PrintDetections(const RunResult& run, std::ostream& out) {
+  const Sequence& sequence = run.sequence;
+  const DetectionCounts& counts = run.detections;
+  if (sequence.box_sources.detections.empty()) return;
+  out << "detections: " << counts.given << " used";
+  if (sequence.detections.empty() && sequence.low_scores == 0) out << ", none in the frames read";
+  const char* separator = "; left out: ";
+  const auto left_out = [&](int count, const std::string& why) {
+    if (count == 0) return;
+    out << separator << count << ' ' << why;
+    separator = ", ";
+  };
+  left_out(sequence.low_scores, "below --min-score");
+  left_out(counts.outside, "outside the image");
+  left_out(counts.skipped, "of skipped frames");
+  for (const auto& [type, count] : counts.other_classes) left_out(count, "of class " + type);
+  if (counts.without_depth > 0) {
+    out << "; " << counts.without_depth
+        << " used where they were detected, because no feature gives a depth to move them to this "
+           "camera";
+  }
+  out << '\n';
+  int negative = 0;
+  int positive = 0;
+  for (const ObjectBox& box : sequence.detections) {
+    negative += box.score && *box.score < 0.0 ? 1 : 0;
+    positive += box.score && *box.score > 0.0 ? 1 : 0;
+  }
+  if (negative == 0) return;
+  out << "warning: of " << sequence.detections.size() << " boxes in the file, " << positive
+      << " have a score above 0: --min-score 0 leaves out the others\n";
+}
+
+void PrintScores(const RunScores& scores, bool all, std::ostream& out) {
+  TextTable table({"metric", "refined", "causal", "unit", "n"});
+  for (const Metric& metric : scores.metrics) {
+    const std::string name = Named(metric.name, false);
+    const bool refined = metric.contract.poses == reports::PoseTime::kRefined;
+    // One that has both forms has one row.
+    if ((!refined && name != metric.name) || (!all && !IsKeyMetric(name))) continue;
+    const Metric* causal =
+        refined ? FindBy(scores.metrics, &Metric::name, Named(name, true)) : &metric;
+    table.Add({name, refined ? ReadableNumber(metric.value) : kNone,
+               causal == nullptr ? kNone : ReadableNumber(causal->value), NameOf(metric.unit),
+               std::to_string(metric.n)});
+  }
+  table.Print(out);
+  out << "refined: final estimates; causal: estimates at the time of each frame\n";
+  if (!all) out << "all metrics: --all, and in result.json\n";
+  if (scores.refined_bodies.empty()) return;
+  out << "\nbodies, refined poses:\n";
+  PrintBodies(scores.refined_bodies, scores.metrics, out);
+}
 
 namespace fs = std::filesystem;
 
-// Like FindVariant, but throws UsageError with the nearest names if there is no such variant.
-const VariantInfo& VariantNamed(const std::string& name) {
+std::vector<std::string> VariantNames() {
   std::vector<std::string> names;
   for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
-  const std::string meant = DidYouMean(name, names);
-  const bool known = std::find(names.begin(), names.end(), name) != names.end();
-  if (known) return FindVariant(name);
-  throw UsageError(StrCat("--variant: found ", Quoted(name), meant, ", expected ",
-                          meant.empty() ? OneOfKnown(name, names)
-                                        : "one of those that `clustervo list variants` lists"));
+  return names;
 }
 
 // Throws UsageError if the folder contains the result of a run other than the requested one,
@@ -50,46 +163,34 @@ const VariantInfo& VariantNamed(const std::string& name) {
 // two runs.
 void CheckFormerRun(const RunRequest& request, const fs::path& folder) {
   if (!fs::exists(folder / "result.json")) return;
-  reports::RunSummary run;
+  const Sequence& sequence = request.sequence;
   try {
-    run = reports::ReadRun(folder / "result.json", {});
+    const reports::RunSummary run = reports::ReadRun(folder / "result.json", {});
+    const auto expect = [&](const std::string& what, const Json& found, const Json& expected) {
+      if (found != expected)
+        ThrowError(folder.string(), StrCat("a run with ", what, " ", found.dump()),
+                   expected.dump());
+    };
+    expect("sequence", run.sequence.name, sequence.name);
+    expect("first frame", run.sequence.first_frame, sequence.first_frame);
+    expect("number of frames", run.sequence.frames, sequence.images.size());
+    expect("variant", run.variant, request.variant.name);
+    expect("seed", run.seed, request.seed);
+    const auto former = FlatJson(run.options);
+    const std::string asked = DumpJson(ResolvedOptions(request.options));
+    for (const auto& [path, value] : FlatJson(ParseJson(asked, "options"))) {
+      const auto known = former.find(path);
+      expect("option " + path, known == former.end() ? "not known" : known->second, value);
+    }
+    expect("boxes (SHA-256)", run.sequence.detections_hash, DetectionsHash(sequence));
+    expect("given", run.given, Given(sequence, request.classes, request.oracle));
+    expect("landmarks.csv", fs::exists(folder / "landmarks.csv") && !request.landmarks, false);
+    expect("input (SHA-256)", run.sequence.content,
+           ContentHash(sequence,
+                       request.images.empty() ? FileHashes().OfImages(sequence) : request.images));
   } catch (const Error& error) {
     throw UsageError(StrCat(error.what(), "; use --force to replace it"));
   }
-  const auto expect = [&](bool same, const std::string& found, const std::string& expected) {
-    if (same) return;
-    throw UsageError(StrCat(folder.string(), ": found a run of ", run.sequence.name, " with ",
-                            found, ", expected ", expected, "; use --force to replace it"));
-  };
-  const auto expect_same = [&](const std::string& what, const std::string& found,
-                               const std::string& asked) {
-    expect(found == asked, StrCat(what, " ", found), asked);
-  };
-  const Sequence& sequence = request.sequence;
-  const auto end = sequence.first_frame + static_cast<int>(sequence.images.size());
-  expect_same("sequence", run.sequence.name, sequence.name);
-  expect_same("frames", StrCat(run.sequence.first_frame, ":", run.sequence.range().last + 1),
-              StrCat(sequence.first_frame, ":", end));
-  expect_same("variant", run.variant, std::string(request.variant.name));
-  expect_same("seed", StrCat(run.seed), StrCat(request.seed));
-  Options options = request.options;
-  const auto former = FlatJson(run.options);
-  const std::string asked = DumpJson(OptionsToJson(OptionLeaves(options)));
-  for (const auto& [path, value] : FlatJson(ParseJson(asked, "options"))) {
-    const auto known = former.find(path);
-    expect_same("option " + path, known == former.end() ? "not known" : known->second, value);
-  }
-  expect(run.sequence.detections_hash == DetectionsHash(sequence),
-         StrCat("other detections (", run.sequence.detections, ")"),
-         StrCat("the given ones (", sequence.detections.size(), ")"));
-  expect_same("classes and oracles", run.given.dump(),
-              Given(sequence, request.classes, request.oracle).dump());
-  expect(request.landmarks || !fs::exists(folder / "landmarks.csv"), "landmarks.csv",
-         "one without, or --landmarks");
-  const auto& hashes = request.images;
-  expect(
-      run.sequence.content == ContentHash(sequence, hashes.empty() ? HashImages(sequence) : hashes),
-      "other images, calibration or ground truth", "the given ones");
 }
 
 struct Flags {
@@ -108,7 +209,6 @@ struct Flags {
   bool force = false;
   bool all = false;
   bool cache = false;
-  std::string cache_size;
 };
 
 void PrintProblems(const RunResult& run) {
@@ -120,77 +220,64 @@ void PrintProblems(const RunResult& run) {
   }
 }
 
-// Prints by how much u_right is too large: the mean over the image, and the range.
-void PrintCalibration(const Sequence& sequence, const RunResult& run) {
+// Prints by how much u_right is too large, as a mean over the image.
+void PrintCalibration(const RunResult& run) {
   const std::optional<CalibrationReport> calibration = LastCalibration(run);
   if (!calibration) return;
-  StereoCamera camera = sequence.camera;
-  camera.right_field_px = calibration->right_field_px;
-  std::vector<double> shifts_px;
-  for (const double u : {0.0, 0.5, 1.0}) {
-    for (const double v : {0.0, 0.5, 1.0}) {
-      shifts_px.push_back(camera.RightShift(u * camera.width_px, v * camera.height_px));
-    }
-  }
-  const auto [least, most] = std::minmax_element(shifts_px.begin(), shifts_px.end());
-  std::cout << "self-calibration: u_right is too large by "
-            << ReadableNumber(camera.right_shift_px + camera.right_field_px[0]) << " +- "
+  const double shift_px = run.sequence.camera.right_shift_px + calibration->right_field_px[0];
+  std::cout << "self-calibration: u_right is too large by " << ReadableNumber(shift_px) << " +- "
             << ReadableNumber(std::sqrt(calibration->Covariance_px2()(0, 0)))
-            << " px (mean over the image; locally " << ReadableNumber(*least) << " to "
-            << ReadableNumber(*most) << " px)\n";
+            << " px (mean over the image)\n";
 }
 
-void PrintSummary(const Sequence& sequence, const JobOutcome& outcome, bool all) {
-  const RunResult& run = outcome.run;
+void PrintSummary(const RunResult& run, bool all) {
   const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
-  std::cout << sequence.name << ": " << Counted(run.frames.size(), "frame") << " in "
+  std::cout << run.sequence.name << ": " << Counted(run.frames.size(), "frame") << " in "
             << ReadableNumber(run.wall_s) << " s, " << FrameRateText(rate) << ", "
-            << ReadableNumber(outcome.context.peak_memory_mb) << " MB, status "
-            << ToString(run.status) << (run.message.empty() ? "" : ": ") << run.message << '\n';
-  for (const std::string& line : outcome.warnings) {
+            << ReadableNumber(run.timing.peak_memory_mb) << " MB, status " << ToString(run.status)
+            << (run.message.empty() ? "" : ": ") << run.message << '\n';
+  for (const std::string& line : run.warnings) {
     std::cout << "warning: implausible: " << line << '\n';
   }
   PrintProblems(run);
-  PrintCalibration(sequence, run);
-  PrintDetections(sequence, run.detections, std::cout);
-  if (outcome.scores.refined.empty()) {
+  PrintCalibration(run);
+  PrintDetections(run, std::cout);
+  if (run.scores.metrics.empty()) {
     std::cout << "no metrics: the sequence has no ground truth\n";
     return;
   }
   std::cout << '\n';
-  PrintScores(outcome.scores, all, std::cout);
+  PrintScores(run.scores, all, std::cout);
 }
 
 // Throws Error if most poses are predicted: this is not a trajectory, whatever its files look like.
-void RefuseLost(const Sequence& sequence, const RunResult& run) {
+void RefuseLost(const RunResult& run) {
   const auto lost = std::count_if(run.frames.begin(), run.frames.end(), [](const auto& frame) {
     return frame.report.status == FrameStatus::kLost;
   });
   if (2 * static_cast<std::size_t>(lost) <= run.frames.size()) return;
-  const std::optional<PairCheck> pair = CheckMiddlePair(sequence);
-  const std::string problem = pair ? pair->Problem() : "";
-  throw Error(run.message + (problem.empty() ? "" : ": " + problem));
+  const std::optional<PairCheck> pair = CheckMiddlePair(run.sequence);
+  throw Error(run.message + (pair && !pair->problem.empty() ? ": " + pair->problem : ""));
 }
 
-// Opens the cache of earlier runs. Its notices report what it has to do without.
-JobCache OpenCache(const Flags& flags, std::size_t frames) {
+// Reports the reading of files as that of frames, and what the cache has to do without.
+FileHashHooks HooksOf(const Flags& flags, std::size_t frames) {
   FileHashHooks hooks;
   hooks.notice = PrintNotice;
   const auto progress = std::make_shared<Progress>(flags.quiet);
   hooks.hashed = [progress, frames](std::size_t done, std::size_t total) {
     progress->Report(frames * done / total, frames);
   };
-  return {synth::CacheFolder(), CacheLimit(flags.cache_size), hooks};
+  return hooks;
 }
 
 int Run(const Flags& flags) {
-  if (!flags.cache_size.empty()) (void)CacheLimit(flags.cache_size);  // even without --cache
-  const VariantInfo& variant = VariantNamed(flags.variant);
+  const VariantInfo& variant = FindVariant(flags.variant);
   CheckNoFolder("--config", flags.config);
   const Options options = ResolveOptions<Options>(flags.config, flags.set, variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
-  CheckApartFrom(flags.sequence.OwnInputs(), flags.output);
+  CheckNotBelow(InputsOf(flags.sequence.stereo), flags.output);
   CheckPlaceOfRun(flags.output);
   const Sequence sequence = OpenSequence(flags.sequence.Request(flags.quiet));
   CheckClasses(classes, sequence.detections);
@@ -199,13 +286,13 @@ int Run(const Flags& flags) {
   const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);
 
   std::optional<JobCache> cache;
-  if (flags.cache) cache.emplace(OpenCache(flags, sequence.images.size()));
-  RequireAsRendered(sequence, [&](const auto& files) {
-    return cache ? cache->HashesOf(files, flags.threads) : HashesByReading(files);
-  });
+  if (flags.cache) {
+    cache.emplace(synth::CacheFolder(), CacheLimit(), flags.threads,
+                  HooksOf(flags, sequence.images.size()));
+  }
+  RequireAsRendered(sequence, cache ? cache->hashes : FileHashes());
 
-  std::optional<JobOutcome> outcome;
-  {
+  const std::optional<RunResult> run = [&] {
     const StopSignal stop;
     RunRequest request = {.sequence = sequence,
                           .variant = variant,
@@ -221,16 +308,16 @@ int Run(const Flags& flags) {
     if (!flags.force) CheckFormerRun(request, output.path());
     Progress progress(flags.quiet);
     request.progress = [&](std::size_t done) { progress.Report(done, sequence.images.size()); };
-    outcome = RunJob(request, output.path());
-  }
-  if (!outcome) {
+    return RunJob(request, output.path());
+  }();
+  if (!run) {
     PrintNotice("stopped, nothing was written");
     return kInterrupted;
   }
-  if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
-  PrintSummary(sequence, *outcome, flags.all);
+  if (run->status == RunStatus::kFailed) throw Error(run->message);
+  PrintSummary(*run, flags.all);
   std::cout << "\nwritten: " << flags.output << '\n';
-  RefuseLost(sequence, outcome->run);
+  RefuseLost(*run);
   return 0;
 }
 
@@ -244,6 +331,7 @@ Command AddRunCommand(CLI::App& program) {
   const FlagAdder add{*app};
   add("-o,--output", flags->output, "FOLDER", "output folder for the results")->required();
   add("--variant", flags->variant, "NAME", "estimator variant (see clustervo list variants)")
+      ->check(OneOf(VariantNames()))
       ->capture_default_str();
   add("--set", flags->set, "PATH=VALUE",
       "set one option (see clustervo list options); can be repeated")
@@ -268,12 +356,11 @@ Command AddRunCommand(CLI::App& program) {
   app->add_flag("--all", flags->all, "print all metrics instead of the most important ones");
   app->add_flag("--strict", flags->strict,
                 "treat an image that cannot be decoded as an error instead of skipping its frame");
-  app->add_flag("--cache", flags->cache,
-                "store extracted features in the cache folder (CLUSTERVO_CACHE) and reuse them: "
-                "faster when only the variant or its options change, with identical results");
-  add("--cache-size", flags->cache_size, "SIZE",
-      "with --cache: maximum total size of cached features, the least recently used are removed "
-      "first; default: CLUSTERVO_CACHE_SIZE or 20G");
+  app->add_flag(
+      "--cache", flags->cache,
+      "store extracted features in the cache folder (CLUSTERVO_CACHE, at most "
+      "CLUSTERVO_CACHE_SIZE, default 20G) and reuse them: faster when only the variant or "
+      "its options change, with identical results");
   app->footer(
       "Output files: result.json, timing.json, truth.json, camera.tum, camera.kitti; for moving "
       "bodies\nobjects.csv (every cluster in every frame, with its life state), tracks.kitti "

@@ -98,8 +98,8 @@ struct ImportFlags {
 
 int Import(const ImportFlags& flags) {
   CheckStereo(flags.stereo);
-  CheckApartFrom(InputsOf(flags.stereo), flags.output);
-  CheckNewSequence(flags.output, {flags.stereo.left, flags.stereo.right});
+  CheckNotBelow(InputsOf(flags.stereo), flags.output);
+  CheckNewSequence(flags.output, {});
   const ImportOutcome outcome =
       ImportStereo(flags.stereo, flags.output, Progress(flags.quiet).Reporter());
   for (const std::string& line : outcome.damaged) std::cout << "lost: " << line << '\n';
@@ -191,12 +191,6 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
       "frame rate, used if neither --times nor the file names give timestamps; default: the "
       "video's frame rate, otherwise 10")
       ->check(Within(1e-3, 1e6));
-}
-
-std::vector<std::filesystem::path> SequenceFlags::OwnInputs() const {
-  std::vector<std::filesystem::path> inputs = InputsOf(stereo);
-  inputs.insert(inputs.end(), {detections_file, labels_file});
-  return inputs;
 }
 
 SequenceRequest SequenceFlags::Request(bool quiet) const {

@@ -1,25 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // clustervo experiment: run suites, show what is done or would be done, and tabulate results.
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/json/json.h"
+#include "core/files/json/json_record.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan_outlook.h"
 #include "experiments/suite/run_plan.h"
 #include "synth/write/render_cache.h"
 
@@ -28,29 +25,24 @@ namespace {
 
 namespace fs = std::filesystem;
 
+enum class JobState {
+  kDone,
+  kRuns,      // its input exists
+  kPrepares,  // runs after its scene is rendered or its boxes are found
+  kMissing,
+};
+
+// What will happen to a planned job.
+struct PredictedState {
+  JobState state = JobState::kRuns;
+  std::string why;  // reason that it runs or is missing
+};
+
 // A plan, and how much of it is already done in the output folder.
 struct PlanState {
   BuiltPlan built;
-  std::vector<PredictedState> outlook;
-  std::optional<double> frame_time_s;  // see MeasuredFrameTime_s
+  std::vector<PredictedState> outlook;  // one per job
 };
-
-std::optional<Plan> EarlierPlan(const SuiteFolder& folder) {
-  try {
-    if (fs::exists(folder.plan())) return ParsePlan(ReadJson(folder.plan()), folder.plan());
-  } catch (const Error&) {
-  }
-  return std::nullopt;
-}
-
-std::string FailureOf(const fs::path& file) {
-  try {
-    if (fs::exists(file)) return ReadJson(file).at("message");
-  } catch (const std::exception&) {
-    return "reason not readable in " + file.string();
-  }
-  return "";
-}
 
 struct StatusFlags {
   SuiteFlags suite;
@@ -93,8 +85,27 @@ void PrintPreparations(const std::vector<Preparation>& preparations, std::ostrea
   }
 }
 
+double PreparedFrame_s(Stage stage) {
+  if (stage == Stage::kBoxes) return 0.2;
+  return stage == Stage::kDrawing ? 0.28 : 0.03;
+}
+
+// Estimates the seconds that one process takes to prepare and run everything, each job once.
 double SecondsOf(const PlanState& state) {
-  return EstimatedSeconds(state.built, state.outlook, state.frame_time_s);
+  constexpr double kFrame_s = 1.0 / 35.0;
+  double seconds = 0.0;
+  for (const Preparation& preparation : state.built.preparations) {
+    seconds += preparation.frames * PreparedFrame_s(preparation.stage);
+  }
+  std::set<std::string> counted;
+  for (std::size_t i = 0; i < state.outlook.size(); ++i) {
+    const PlanJob& job = state.built.plan.jobs[i];
+    const JobState outlook = state.outlook[i].state;
+    const bool runs = outlook == JobState::kRuns || outlook == JobState::kPrepares;
+    if (!runs || !job.system.empty()) continue;
+    if (job.job.empty() || counted.insert(job.job).second) seconds += job.frames * kFrame_s;
+  }
+  return seconds;
 }
 
 void Print(const PlanState& state, int processes, std::ostream& out) {
@@ -123,11 +134,30 @@ void Print(const PlanState& state, int processes, std::ostream& out) {
   }
   out << "estimated time: " << DurationText(seconds / processes) << " with "
       << Counted(static_cast<std::size_t>(processes), "process", "processes")
-      << (state.frame_time_s ? " (as measured in finished jobs)\n"
-                             : " (assuming 35 frames/s, rendering 4 frames/s)\n");
+      << " (assuming 35 frames/s, rendering 4 frames/s)\n";
 }
 
-// An earlier plan.json that cannot be read counts as none.
+// Whether the folder has a plan of another build. One that cannot be read counts as none.
+bool IsOfAnotherBuild(const SuiteFolder& folder, const Plan& plan) {
+  try {
+    return fs::exists(folder.plan()) &&
+           ReadRecord<reports::PlanFile>(folder.plan()).build != plan.build;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+PredictedState Predict(const SuiteFolder& folder, const PlanJob& job, bool other_build) {
+  if (IsPending(job.missing)) return {JobState::kPrepares, job.missing};
+  if (!job.missing.empty()) return {JobState::kMissing, job.missing};
+  if (HasFiles(folder, job)) return {JobState::kDone, ""};
+  const JobStatus status = StatusOf(folder, job);
+  if (status.state == JobStatus::State::kFailed) {
+    return {JobState::kRuns, "failed before: " + status.message};
+  }
+  return {JobState::kRuns, other_build ? "not run by this build of the program" : "not run yet"};
+}
+
 PlanState PlanOf(const StatusFlags& flags) {
   Suite suite;
   try {
@@ -136,14 +166,10 @@ PlanState PlanOf(const StatusFlags& flags) {
     throw UsageError(error.what());
   }
   const SuiteFolder folder{flags.suite.output};
-  PlanState state;
-  state.built = PlanSuite(suite, flags.suite, flags.quiet);
-  const EarlierRuns earlier = {
-      EarlierPlan(folder), [&](const PlanJob& job) { return HasFiles(folder, job); },
-      [&](const std::string& job) { return FailureOf(folder.failure(job)); }};
-  state.outlook = PredictStates(state.built.plan, earlier);
-  state.frame_time_s = MeasuredFrameTime_s(state.built.plan, earlier,
-                                           [&](const std::string& job) { return folder.job(job); });
+  PlanState state{PlanSuite(suite, flags.suite, flags.quiet), {}};
+  const Plan& plan = state.built.plan;
+  const bool other_build = IsOfAnotherBuild(folder, plan);
+  for (const PlanJob& job : plan.jobs) state.outlook.push_back(Predict(folder, job, other_build));
   return state;
 }
 
@@ -208,7 +234,6 @@ Json StatusToJson(const SuiteFolder& folder, const Plan& plan,
 
 // What is done in an output folder.
 int ShowStatus(const std::string& path, bool json) {
-  CheckNoCollection(path);
   const SuiteFolder folder{path};
   if (!std::filesystem::exists(folder.plan())) {
     ThrowError(path, "no plan.json", "an output folder of clustervo experiment run");
@@ -289,7 +314,7 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
 int RunOne(const SuiteFolder& folder, const std::string& id) {
   FileHashHooks hooks;
   hooks.notice = PrintNotice;
-  const JobCache cache(synth::CacheFolder(), CacheLimit(""), hooks);
+  const JobCache cache(synth::CacheFolder(), CacheLimit(), 1, hooks);
   RunPlannedJob(ParsePlan(ReadJson(folder.plan()), folder.plan().string()), id, folder, cache);
   return 0;
 }

@@ -7,17 +7,19 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mount.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "tests/experiments/cache/disk.h"
-#include "tests/experiments/cache/frames.h"
+#include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
@@ -25,18 +27,89 @@ namespace cvo::front_end_cache_test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::BytesOf;
-using test::Load;
 using test::NamesIn;
-using test::SomeFrames;
-using test::SomeKey;
-using test::Store;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr std::size_t kFrames = 4;
+
+// A small file system of its own, mounted at `folder` if the system permits.
+class SmallDisk {
+ public:
+  SmallDisk(fs::path folder, const char* size) : folder_(std::move(folder)) {
+    fs::create_directory(folder_);
+    const std::string options = std::string("size=") + size;
+    mounted_ = ::mount("tmpfs", folder_.c_str(), "tmpfs", 0, options.c_str()) == 0;
+    if (!mounted_) problem_ = std::string("cannot mount a small disk: ") + std::strerror(errno);
+  }
+  ~SmallDisk() {
+    if (mounted_) ::umount2(folder_.c_str(), MNT_DETACH);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+  bool mounted() const { return mounted_; }
+  const std::string& problem() const { return problem_; }
+  const fs::path& path() const { return folder_; }
+
+ private:
+  fs::path folder_;
+  bool mounted_ = false;
+  std::string problem_;
+};
+
+// Returns frames with a few features each. Frame 1 has a problem instead of features.
+std::vector<FrontEndFrame> SomeFrames(int count) {
+  std::vector<FrontEndFrame> frames;
+  for (int i = 0; i < count; ++i) {
+    FrontEndFrame frame;
+    if (i == 1) frame.problems = {{1, "found nothing, expected a whole PNG image"}};
+    for (int k = 0; k < 3 && i != 1; ++k) {
+      StereoFeature feature;
+      feature.z_px = {i + 1.0 / 3.0, k - 0.0, -1e-300 * i};
+      feature.octave = k;
+      feature.angle_rad = 0.1F * static_cast<float>(i);
+      feature.response = 1e-40F;  // denormal
+      feature.disagreement_px = 0.25F;
+      feature.row_offset_px = -0.75F;
+      feature.is_reserve = i % 2 == 1;
+      feature.descriptor = {~0ULL, 0x0123456789abcdefULL, static_cast<std::uint64_t>(i), 0};
+      feature.patch.corner_u = -0.25F;
+      feature.patch.corner_v = 0.125F;
+      feature.patch.pixels.fill(static_cast<std::uint8_t>(200 + k));
+      frame.features.push_back(feature);
+    }
+    frames.push_back(frame);
+  }
+  return frames;
+}
+
+std::string BytesOf(const std::vector<FrontEndFrame>& frames) {
+  std::string bytes;
+  for (const FrontEndFrame& frame : frames) bytes += EncodeFrame(frame);
+  return bytes;
+}
+
+std::string SomeKey(char digit) { return std::string(64, digit); }
+
+void Store(const FrontEndCache& cache, const std::string& key,
+           const std::vector<FrontEndFrame>& frames) {
+  FeatureRecording recording = cache.Record(key);
+  for (const FrontEndFrame& frame : frames) recording.Add(frame);
+  recording.Finish();
+}
+
+// Returns all frames of an entry as bytes, or "" if there is no such entry. Throws Error if one is
+// damaged.
+std::string Load(const FrontEndCache& cache, const std::string& key, std::size_t frames) {
+  std::optional<FeatureFile> file = cache.Find(key);
+  if (!file) return "";
+  std::vector<FrontEndFrame> loaded;
+  for (std::size_t i = 0; i < frames; ++i) loaded.push_back(file->Next());
+  return BytesOf(loaded);
+}
 
 class FrontEndCacheTest : public testing::Test {
  protected:
@@ -83,15 +156,6 @@ TEST_F(FrontEndCacheTest, ReadsBackEveryBit) {
   EXPECT_EQ(skipped.problems[0].reason, frames_[1].problems[0].reason);
   EXPECT_EQ(Load(cache, key_, kFrames), BytesOf(frames_));
   EXPECT_THAT(notices_, IsEmpty());
-}
-
-TEST_F(FrontEndCacheTest, AnUnfinishedRecordingLeavesNothing) {
-  {
-    FeatureRecording recording = Cache().Record(key_);
-    recording.Add(frames_[0]);
-    EXPECT_THAT(NamesIn(temp_.path()), SizeIs(1));  // the temporary file
-  }
-  EXPECT_THAT(NamesIn(temp_.path()), IsEmpty());
 }
 
 TEST_F(FrontEndCacheTest, DamageIsDetected) {
@@ -215,7 +279,7 @@ TEST_F(FrontEndCacheTest, AKilledWriterLeavesNoEntry) {
 }
 
 TEST_F(FrontEndCacheTest, AFullDiskOnlyEndsTheRecording) {
-  const test::SmallDisk disk(temp_.path() / "disk", "16k");
+  const SmallDisk disk(temp_.path() / "disk", "16k");
   if (!disk.mounted()) GTEST_SKIP() << disk.problem();
   const FrontEndCache cache = Cache(disk.path());
   Store(cache, SomeKey('a'), frames_);
@@ -226,45 +290,21 @@ TEST_F(FrontEndCacheTest, AFullDiskOnlyEndsTheRecording) {
   EXPECT_EQ(Load(cache, SomeKey('a'), kFrames), BytesOf(frames_));
 }
 
-TEST_F(FrontEndCacheTest, AReadOnlyFolderIsReadable) {
-  const test::SmallDisk disk(temp_.path() / "disk", "64k");
-  if (!disk.mounted()) GTEST_SKIP() << disk.problem();
-  const FrontEndCache cache = Cache(disk.path());
-  Store(cache, SomeKey('a'), frames_);
-  Store(cache, SomeKey('b'), frames_);
-  ASSERT_TRUE(disk.MakeReadOnly());
-  EXPECT_EQ(Load(cache, SomeKey('a'), kFrames), BytesOf(frames_));
-  EXPECT_THAT(notices_, IsEmpty());
-  cache.Remove(SomeKey('b'), "damage");
-  ASSERT_THAT(notices_, SizeIs(1));
-  EXPECT_THAT(notices_[0], HasSubstr("cannot remove it"));
-  Store(cache, SomeKey('c'), frames_);
-  ASSERT_THAT(notices_, SizeIs(2));
-  EXPECT_THAT(notices_[1], HasSubstr(std::strerror(EROFS)));
-}
-
-TEST_F(FrontEndCacheTest, AFileInPlaceOfTheFolderOnlyCausesNotices) {
-  const fs::path file = temp_.Write("frontend", "");
-  EXPECT_FALSE(Cache(file).Find(SomeKey('a')));
-  Store(Cache(file), SomeKey('a'), frames_);
-  EXPECT_FALSE(notices_.empty());
-}
-
 TEST(CacheLimit, ReadsSizes) {
-  EXPECT_EQ(CacheLimit("0"), 0U);
-  EXPECT_EQ(CacheLimit("12"), 12U);
-  EXPECT_EQ(CacheLimit("1.5K"), 1500U);
-  EXPECT_EQ(CacheLimit("20G"), 20'000'000'000U);
-  for (const char* bad : {"G", "-1", "20g", "1e30", "20 G", "nan"}) {
-    EXPECT_THAT(ErrorMessage([&] { (void)CacheLimit(bad); }), HasSubstr("--cache-size")) << bad;
+  const auto limit = [](const char* text) {
+    ::setenv("CLUSTERVO_CACHE_SIZE", text, 1);
+    return CacheLimit();
+  };
+  EXPECT_EQ(limit("0"), 0U);
+  EXPECT_EQ(limit("12"), 12U);
+  EXPECT_EQ(limit("1.5K"), 1500U);
+  EXPECT_EQ(limit("3M"), 3'000'000U);
+  EXPECT_EQ(limit(""), 20'000'000'000U);
+  for (const char* bad : {"G", "-1", "20g", "1e30", "20 G", "nan", "much"}) {
+    EXPECT_THAT(ErrorMessage([&] { (void)limit(bad); }), HasSubstr("CLUSTERVO_CACHE_SIZE")) << bad;
   }
-  ASSERT_EQ(::setenv("CLUSTERVO_CACHE_SIZE", "3M", 1), 0);
-  EXPECT_EQ(CacheLimit(""), 3'000'000U);
-  EXPECT_EQ(CacheLimit("5"), 5U);
-  ASSERT_EQ(::setenv("CLUSTERVO_CACHE_SIZE", "much", 1), 0);
-  EXPECT_THAT(ErrorMessage([] { (void)CacheLimit(""); }), HasSubstr("CLUSTERVO_CACHE_SIZE"));
   ASSERT_EQ(::unsetenv("CLUSTERVO_CACHE_SIZE"), 0);
-  EXPECT_EQ(CacheLimit(""), 20'000'000'000U);
+  EXPECT_EQ(CacheLimit(), 20'000'000'000U);
 }
 
 }  // namespace

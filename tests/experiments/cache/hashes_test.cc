@@ -5,15 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "core/base/error.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
-#include "experiments/runner/file_hashes.h"
-#include "tests/experiments/cache/disk.h"
-#include "tests/experiments/cache/frames.h"
+#include "experiments/runner/identity.h"
+#include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::hashes_test {
@@ -50,8 +47,7 @@ class CacheHashes : public testing::Test {
       EXPECT_LE(done, total);
     };
     hooks.now_ns = [later_ns, now = FileHashHooks().now_ns] { return now() + later_ns; };
-    TaskPool pool(2);
-    return FindImageHashes(sequence_, index(), pool, hooks);
+    return FileHashes{index(), 2, hooks}.OfImages(sequence_);
   }
   fs::path index() const { return index_.empty() ? temp_.path() / "hashes" : index_; }
   fs::path KeptFile() const { return index() / NamesIn(index()).at(0); }
@@ -59,8 +55,8 @@ class CacheHashes : public testing::Test {
   void ExpectRight(const std::vector<ImageHashes>& hashes) {
     ASSERT_THAT(hashes, SizeIs(kFrames));
     for (std::size_t i = 0; i < kFrames; ++i) {
-      EXPECT_EQ(hashes[i].left, HashFile(sequence_.images[i].left));
-      EXPECT_EQ(hashes[i].right, HashFile(sequence_.images[i].right));
+      EXPECT_EQ(hashes[i].left, Sha256Hex(ReadFileBytes(sequence_.images[i].left)));
+      EXPECT_EQ(hashes[i].right, Sha256Hex(ReadFileBytes(sequence_.images[i].right)));
     }
   }
 
@@ -145,56 +141,13 @@ TEST_F(CacheHashes, APipeHasNoHash) {
 }
 
 TEST_F(CacheHashes, WithoutAnIndexAllFilesAreRead) {
-  TaskPool pool(2);
-  for (int i = 0; i < 2; ++i) {
-    ExpectRight(FindImageHashes(sequence_, "", pool));
-  }
+  for (int i = 0; i < 2; ++i) ExpectRight(FileHashes().OfImages(sequence_));
 }
 
 TEST_F(CacheHashes, AnUnwritableIndexOnlyCostsTime) {
   index_ = temp_.Write("file", "");
   ExpectRight(Hashes());
   EXPECT_THAT(notices_, testing::Contains(HasSubstr("not kept")));
-  const test::SmallDisk disk(temp_.path() / "disk", "64k");
-  if (!disk.mounted()) GTEST_SKIP() << disk.problem();
-  index_ = disk.path();
-  ExpectRight(Hashes());
-  ASSERT_TRUE(disk.MakeReadOnly());
-  notices_.clear();
-  ExpectRight(Hashes());
-  EXPECT_EQ(read_, 0U);
-  temp_.Write("sequence/image_0/0.png", "another one");
-  ExpectRight(Hashes());
-  EXPECT_EQ(read_, 2U * kFrames);
-  EXPECT_THAT(notices_, SizeIs(1));
-}
-
-TEST_F(CacheHashes, ManyProcessesShareThem) {
-  std::vector<pid_t> children;
-  for (int child = 0; child < 6; ++child) {
-    const pid_t pid = ::fork();
-    ASSERT_GE(pid, 0);
-    if (pid != 0) {
-      children.push_back(pid);
-      continue;
-    }
-    bool fine = true;
-    for (int round = 0; round < 5; ++round) {
-      std::error_code ignored;
-      if (child == 0) fs::remove_all(index(), ignored);
-      fine = fine && Hashes()[1].left == Sha256Hex("left 1.png");
-    }
-    ::_exit(fine ? 0 : 1);
-  }
-  for (const pid_t pid : children) {
-    int status = -1;
-    ASSERT_EQ(::waitpid(pid, &status, 0), pid);
-    EXPECT_EQ(status, 0);
-  }
-  (void)Hashes();
-  ExpectRight(Hashes());
-  EXPECT_EQ(read_, 0U);
-  EXPECT_THAT(NamesIn(index()), SizeIs(1));
 }
 
 }  // namespace

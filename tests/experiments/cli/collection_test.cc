@@ -70,17 +70,6 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
     EXPECT_THAT(page, HasSubstr(text));
   }
   EXPECT_TRUE(fs::exists(out() / "here" / "report" / "index.html"));
-  for (const Arguments& command : std::vector<Arguments>{{"experiment", "status"},
-                                                         {"experiment", "table"},
-                                                         {"experiment", "table", "--times"},
-                                                         {"experiment", "compare", out().string()},
-                                                         {"plot", "-o", "figures"},
-                                                         {"report"}}) {
-    ExpectError(Run(With(command, {out().string()})),
-                out().string() +
-                    ": found the folder of a collection of suites, expected "
-                    "that of a suite in it: here, nowhere");
-  }
   // A second call runs no job again and writes the same page.
   const ProcessResult again = RunAll(sections, {"--frames", "0:3"});
   EXPECT_THAT(again.err, Not(HasSubstr("100 %  1/1 jobs")));

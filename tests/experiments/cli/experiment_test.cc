@@ -259,7 +259,7 @@ TEST_F(CliExperimentPlan, ListsJobsAndMissingSequences) {
   const ProcessResult plan = Plan({suite, "--seeds", "2"});
   EXPECT_EQ(plan.exit_code, 0) << plan.err;
   EXPECT_THAT(plan.out, HasSubstr("suite small: 4 jobs on 2 sequences"));
-  EXPECT_THAT(plan.out, HasSubstr("to run: 2\n  2 x new"));
+  EXPECT_THAT(plan.out, HasSubstr("to run: 2\n  2 x not run yet"));
   EXPECT_THAT(plan.out, HasSubstr("missing, left out: 2\n  2 x no 08 below"));
   EXPECT_THAT(plan.out, HasSubstr("estimated time: 1 s with 1 process"));
   EXPECT_FALSE(fs::exists(Path("out")));

@@ -171,8 +171,6 @@ TEST_F(CliOutputs, InputsAreNeverOverwritten) {
       {"report", Path("suite"), "-o", Path("suite")},
       {"run", Path("data/wall"), "-o", Path("suite/jobs/mine")},
       {"run", Path("data/wall"), "-o", Path("suite"), "--force"},
-      {"run", Path("data/wall"), "-o", Path("run/new"), "--force"},
-      {"run", Path("data/wall"), "-o", Path("run/clusters")},
       {"experiment", "run", Path("suite.json"), "-o", Path("run")},
       {"experiment", "run", Path("other.json"), "-o", Path("suite")},
       {"experiment", "run", Path("all.json"), "-o", Path("suite")},

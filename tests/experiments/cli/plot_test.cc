@@ -108,7 +108,7 @@ TEST_F(CliPlot, AlignmentIsChosenAndNamed) {
   EXPECT_GT(SummaryValue(plot_with("none"), "rms m"), 0.5);
   EXPECT_GT(SummaryValue(plot_with("se3"), "rms m"), 0.1);
   EXPECT_THAT(test::ReadFile(out()),
-              AllOf(StartsWith("<svg"), HasSubstr(">Trajectory against truth<"),
+              AllOf(StartsWith("<svg"), HasSubstr(">Trajectories against truth<"),
                     HasSubstr("Aligned by SE(3) over positions; poses matched within 0.02 s"),
                     HasSubstr(">turned: ")));
 }

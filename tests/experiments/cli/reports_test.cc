@@ -128,28 +128,7 @@ TEST(CliReport, AnInvalidSuiteGivesOneLine) {
   EXPECT_FALSE(fs::exists(suite.folder().path() / "report"));
 }
 
-TEST(CliReport, ShowsRunsSideBySide) {
-  const TempFolder folder;
-  Arguments runs;
-  for (const char* variant : {"2d", "full"}) {
-    Json result = Result();
-    result["variant"] = variant;
-    result["job"] = std::string("job-") + variant;
-    folder.Write(std::string(variant) + "/result.json", result.dump());
-    runs.push_back((folder.path() / variant).string());
-  }
-  const std::string out = (folder.path() / "page").string();
-  const ProcessResult run = RunProgram({"report", runs[0], runs[1], "-o", out});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(Page(out), AllOf(HasSubstr("2 of 2 runs."), HasSubstr("Runs on ")));
-  ExpectError(RunProgram({"report", runs[0], runs[0], "-o", out}), "the same run twice");
-  ExpectError(RunProgram({"report", runs[0], out, "-o", out}), "found no result.json");
-  EXPECT_EQ(RunProgram({"report", runs[0], runs[1]}).exit_code, 2);
-}
-
 TEST(CliReport, InvalidFlags) {
-  EXPECT_EQ(RunProgram({"report", "x", "--every", "0"}).exit_code, 2);
-  EXPECT_EQ(RunProgram({"report", "x", "--every", "2", "--no-images"}).exit_code, 2);
   EXPECT_EQ(RunProgram({"report"}).exit_code, 2);
 }
 

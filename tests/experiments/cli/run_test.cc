@@ -3,9 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <optional>
+
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
+#include "tests/support/real_data.h"
 
 namespace cvo::run_test {
 namespace {
@@ -93,20 +97,20 @@ TEST_F(CliRun, AnotherRunIsNotReplaced) {
   const std::string before = ReadFile(out() / "result.json");
   const auto refused = [&](Arguments more, const std::string& found) {
     more.insert(more.end(), {"-q", "--landmarks"});
-    ExpectError(Run(out(), more), StrCat(": found a run of tiny with ", found), 2);
+    ExpectError(Run(out(), more), StrCat(": found a run with ", found), 2);
   };
   refused({"--seed", "7"}, "seed 0, expected 7; use --force to replace it");
-  refused({"--variant", "static"}, "variant full, expected static");
+  refused({"--variant", "static"}, "variant \"full\", expected \"static\"");
   refused({"--set", "orb.features=500"}, "option orb.features ");
-  refused({"--frames", "1:4"}, "frames 0:8, expected 1:4");
-  refused({"--oracle", "camera"}, "classes and oracles {");
-  refused({"--detections", boxes}, "other detections (0), expected the given ones (1)");
-  ExpectError(Run(out(), {"-q"}), "with landmarks.csv, expected one without", 2);
+  refused({"--frames", "1:4"}, "first frame 0, expected 1");
+  refused({"--oracle", "camera"}, "given {");
+  refused({"--detections", boxes}, "boxes (SHA-256) \"");
+  ExpectError(Run(out(), {"-q"}), "with landmarks.csv true, expected false", 2);
   EXPECT_EQ(Run(out(), {"-q", "--landmarks", "--threads", "1"}).exit_code, 0);
   EXPECT_EQ(ReadFile(out() / "result.json"), before);
   fs::copy_file(tiny() / "image_0/000001.png", tiny() / "image_0/000002.png",
                 fs::copy_options::overwrite_existing);
-  refused({}, "other images, calibration or ground truth, expected the given ones");
+  refused({}, "input (SHA-256) \"");
   EXPECT_EQ(Run(out(), {"-q", "--force"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
   folder_.Write("out/result.json", "{");
@@ -149,7 +153,7 @@ TEST_F(CliRun, TheCacheDoesNotChangeTheBytes) {
   ASSERT_EQ(Run(out("plain"), {}, setup).exit_code, 0);
   EXPECT_FALSE(fs::exists(out("cache")));
   const ProcessResult first = Run(out("first"), {"--cache", "--quiet"}, setup);
-  const ProcessResult second = Run(out("second"), {"--cache", "--cache-size", "1G"}, setup);
+  const ProcessResult second = Run(out("second"), {"--cache"}, setup);
   ASSERT_EQ(first.exit_code, 0) << first.err;
   ASSERT_EQ(second.exit_code, 0) << second.err;
   EXPECT_EQ(first.err, "");
@@ -159,11 +163,6 @@ TEST_F(CliRun, TheCacheDoesNotChangeTheBytes) {
   const Json stages = ReadJson(out("second") / "timing.json")["stages"];
   EXPECT_TRUE(stages.contains("load_features"));
   EXPECT_FALSE(stages.contains("extract"));
-
-  ExpectError(Run(out("bad"), {"--cache", "--cache-size", "much"}, setup),
-              "option --cache-size: found \"much\"", 2);
-  ExpectError(Run(out("bad"), {"--cache-size", "much"}, setup),
-              "option --cache-size: found \"much\"", 2);
 }
 
 TEST_F(CliRun, AnUnusableCacheGivesANotice) {
@@ -264,6 +263,79 @@ TEST_F(CliRun, AnInterruptEndsTheRunCleanly) {
   EXPECT_EQ(run.exit_code, 130);
   EXPECT_THAT(run.err, testing::EndsWith("clustervo: stopped, nothing was written\n"));
   EXPECT_FALSE(fs::exists(out()));
+}
+
+// `clustervo run` on real drives, below the folder named by CLUSTERVO_DATA.
+
+std::map<std::string, double> MetricsOf(const fs::path& output) {
+  std::map<std::string, double> metrics;
+  const Json result = ReadJson(output / "result.json");
+  for (const Json& metric : result["metrics"]) metrics[metric["name"]] = metric["value"];
+  return metrics;
+}
+
+class CliKitti : public test::CommandTest {
+ protected:
+  void SetUp() override {
+    data_ = test::RealData();
+    if (!data_) GTEST_SKIP() << "CLUSTERVO_DATA is not set";
+  }
+  fs::path out(const std::string& name) const { return Path(name); }
+
+  std::optional<fs::path> data_;
+};
+
+TEST_F(CliKitti, EvalOfTheWrittenTrajectoryAgrees) {
+  const fs::path sequence = *data_ / "kitti_odometry" / "sequences" / "06";
+  const ProcessResult run =
+      RunProgram({"run", sequence.string(), "-o", out("06").string(), "--quiet", "--threads", "2"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const fs::path truth = *data_ / "kitti_odometry" / "poses" / "06.txt";
+  const ProcessResult eval =
+      RunProgram({"eval", "trajectory", "--groundtruth", truth.string(), "--estimate",
+                  (out("06") / "camera.kitti").string(), "--json"});
+  ASSERT_EQ(eval.exit_code, 0) << eval.err;
+  const std::map<std::string, double> metrics = MetricsOf(out("06"));
+  const Json evaluation = ParseJson(eval.out, "eval");
+  for (const Json& metric : evaluation["metrics"]) {
+    const double recorded = metrics.at(metric["name"]);
+    EXPECT_NEAR(metric["value"].get<double>(), recorded, 1e-9) << metric["name"];
+  }
+}
+
+// The accuracy that the project promises on these frames. Measured: 0.063, 0.192 and 0.025 m.
+TEST_F(CliKitti, CameraIsAsAccurateAsPromised) {
+  const std::vector<std::pair<std::string, double>> promises = {
+      {"kitti_raw/2011_09_26/2011_09_26_drive_0001_sync", 0.10},
+      {"kitti_raw/2011_09_26/2011_09_26_drive_0013_sync", 0.21},
+      {"kitti_odometry/sequences/06", 0.06}};
+  for (const auto& [folder, ate_m] : promises) {
+    const ProcessResult run = RunProgram(
+        {"run", (*data_ / folder).string(), "-o", out("run").string(), "--quiet", "--force"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const std::map<std::string, double> metrics = MetricsOf(out("run"));
+    EXPECT_EQ(metrics.at("camera_coverage"), 1.0) << folder;
+    EXPECT_LT(metrics.at("camera_ate"), ate_m) << folder;
+    EXPECT_EQ(ReadJson(out("run") / "result.json")["status"], "ok") << folder;
+    EXPECT_GE(metrics.at("camera_trpe_all_pairs"), metrics.at("camera_ate")) << folder;
+  }
+}
+
+TEST_F(CliKitti, InfoDescribesEverySequence) {
+  const ProcessResult list = RunProgram({"info", data_->string(), "--json"});
+  ASSERT_EQ(list.exit_code, 0) << list.err;
+  const Json sequences = ParseJson(list.out, "info");
+  EXPECT_GE(sequences.size(), 4U);
+  for (const Json& sequence : sequences) {
+    const ProcessResult info = RunProgram({"info", sequence["folder"], "--json"});
+    ASSERT_EQ(info.exit_code, 0) << info.err;
+    const Json json = ParseJson(info.out, "info");
+    EXPECT_EQ(json["type"], sequence["type"]);
+    EXPECT_GT(json["frames"], 0);
+    const bool has_truth = json["groundtruth"] != "none";
+    EXPECT_EQ(json["groundtruth_frames"], has_truth ? json["frames"] : Json(0));
+    EXPECT_EQ(json["missing"].empty(), has_truth);
+  }
 }
 
 }  // namespace

@@ -154,14 +154,18 @@ TEST(CliTables, WritesATableToAFile) {
 TEST(CliTables, ConflictingFlagsAreAnError) {
   SuiteResults suite;
   suite.Add(Result());
-  const auto error = [&](const Arguments& flags) {
-    const ProcessResult run = Print(suite, flags);
-    EXPECT_EQ(run.exit_code, 2);
-    return run.err;
-  };
-  EXPECT_THAT(error({"--format", "pdf"}), HasSubstr("pdf"));
-  EXPECT_THAT(error({"--from", "table.json"}), HasSubstr("DIR excludes --from"));
-  EXPECT_THAT(RunProgram({"experiment", "table"}).err, HasSubstr("DIR or --from is required"));
+  const std::string folder = suite.Written().string();
+  const Arguments compare = {"experiment", "compare", folder, folder};
+  const std::vector<std::pair<Arguments, std::string>> cases = {
+      {{"experiment", "table", folder, "--format", "latex", "--long"}, "--long: requires --format"},
+      {{"experiment", "table", folder, "--format", "pdf"}, "pdf"},
+      {{"experiment", "table", folder, "--from", "table.json"}, "DIR excludes --from"},
+      {{"experiment", "table"}, "DIR or --from is required"},
+      {{"experiment", "table", folder, "--times", "--format", "csv"},
+       "--format: does not apply with --times"},
+      {test::With(compare, {folder}), "DIR: found 3 suites, expected 2"},
+      {test::With(compare, {"--json"}), "--json: applies to runs, found suites"}};
+  for (const auto& [arguments, message] : cases) ExpectError(RunProgram(arguments), message, 2);
 }
 
 TEST(CliTables, CompareHasTheSameFormats) {
@@ -175,21 +179,6 @@ TEST(CliTables, CompareHasTheSameFormats) {
                                       after.Written().string(), "--format", "csv"})
                               .out;
   EXPECT_THAT(csv, AllOf(HasSubstr(",-0.01249"), Not(HasSubstr("changed"))));
-}
-
-TEST(CliTables, CompareTakesTwoSuites) {
-  SuiteResults suite;
-  suite.Add(Result());
-  const std::string folder = suite.Written().string();
-  ExpectError(RunProgram({"experiment", "compare", folder, folder, folder}),
-              "DIR: found 3 suites, expected 2", 2);
-}
-
-TEST(CliTables, TimesHaveNoFormats) {
-  SuiteResults suite;
-  suite.Add(Result());
-  ExpectError(Print(suite, {"--times", "--format", "csv"}), "--format: does not apply with --times",
-              2);
 }
 
 std::string WriteRun(const test::TempFolder& folder, const std::string& variant, double error_m) {

@@ -9,9 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
-#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_files.h"
 #include "experiments/runner/run_result.h"
-#include "experiments/runner/run_tables.h"
 #include "tests/support/collected.h"
 #include "tests/support/estimator_inputs.h"
 
@@ -42,6 +41,8 @@ std::vector<std::vector<std::string>> Cells(const std::string& table, char separ
   }
   return rows;
 }
+
+const VariantInfo kNone{"none", "", nullptr, nullptr};
 
 // A run of one frame, frame 4 of its folder, with one cluster: a box of 2 x 1 x 4 m centred at
 // (0, 0, 10) in the camera and world frames.
@@ -80,7 +81,7 @@ class Clusters : public testing::Test {
   }
   ClusterReport& cluster() { return frames_[0].report.clusters[0]; }
   RunResult Run() const {
-    RunResult run;
+    RunResult run{RunRequest{.sequence = sequence_, .variant = kNone, .options = {}}};
     run.frames = frames_;
     run.clusters = clusters_;
     return run;
@@ -91,8 +92,8 @@ class Clusters : public testing::Test {
                        [&](const LiveCluster& row) { box = ProjectedBox(row, sequence_.camera); });
     return box;
   }
-  std::string ObjectTable() const { return test::Collected(WriteObjectTable, sequence_, Run()); }
-  std::string KittiTracks() const { return test::Collected(WriteKittiTracks, sequence_, Run()); }
+  std::string ObjectTable() const { return test::Collected(WriteObjectTable, Run()); }
+  std::string KittiTracks() const { return test::Collected(WriteKittiTracks, Run()); }
   std::vector<std::string> Track() const {
     const auto rows = Cells(KittiTracks(), ' ');
     return rows.empty() ? std::vector<std::string>() : rows[0];
@@ -218,9 +219,7 @@ TEST_F(Clusters, TheResultFileListsClusters) {
   frames_.push_back(frames_[0]);
   frames_[1].frame = 5;
   frames_[1].report.clusters[0].status = ClusterStatus::kPredicted;
-  const RunResult run = Run();
-  const RunRecord record{.sequence = sequence_, .build = ThisBuild(), .variant = "x", .run = run};
-  const Json json = ParseJson(test::Collected(WriteResultFile, record), "result");
+  const Json json = ParseJson(test::Collected(WriteResultFile, Run()), "result");
   ASSERT_EQ(json["clusters"].size(), 1U);
   const Json& row = json["clusters"][0];
   EXPECT_EQ(row["id"], 3);
@@ -269,9 +268,13 @@ TEST(TruthFile, PutsTheTruthIntoTheWorldOfTheRun) {
   score.cluster = 7;
   score.errors = {{1}, {0.25}};
   score.estimated_positions = {{5.25, 0, 0}};
-  const std::vector<BodyScore> bodies = {score};
-  const OptionalPoses camera = {At(1), std::nullopt};
-  const Json file = ParseJson(TruthFile("id", {&camera, &objects, At(1), &bodies}), "truth.json");
+  Sequence sequence;
+  sequence.groundtruth_world_from_camera = {At(1), std::nullopt};
+  RunResult run{RunRequest{.sequence = sequence, .variant = kNone, .options = {}}};
+  run.job = "id";
+  run.scores.truth_from_estimate = At(1);
+  run.scores.refined_bodies = {score};
+  const Json file = ParseJson(TruthFile(run, &objects), "truth.json");
   EXPECT_EQ(file["job"], "id");
   EXPECT_EQ(file["camera"][0], Json({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}));
   EXPECT_TRUE(file["camera"][1].is_null());
@@ -282,12 +285,6 @@ TEST(TruthFile, PutsTheTruthIntoTheWorldOfTheRun) {
   EXPECT_EQ(ball["truth"]["visible"], Json({true}));
   EXPECT_EQ(ball["estimated"]["positions_m"], Json::parse("[[4.25, 0.0, 0.0]]"));
   EXPECT_EQ(ball["predicted"]["frames"], Json::array());
-}
-
-TEST(TruthFile, ReportsMissingTruth) {
-  const Json file = ParseJson(TruthFile("id", {}), "truth.json");
-  EXPECT_TRUE(file["camera"].empty());
-  EXPECT_TRUE(file["bodies"].empty());
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "core/base/error.h"
 #include "experiments/metrics/pose_errors.h"
 #include "experiments/runner/identity.h"
-#include "experiments/runner/result_file.h"
 #include "experiments/runner/run_files.h"
 #include "tests/support/collected.h"
 
@@ -21,8 +20,8 @@ using testing::Not;
 
 const std::string kDifferentText = "another";
 
-BuildIdentity SomeBuild() {
-  BuildIdentity build = ThisBuild();
+reports::BuildInfo SomeBuild() {
+  reports::BuildInfo build = ThisBuild();
   build.cpu_level = "avx2";
   return build;
 }
@@ -33,7 +32,7 @@ Job SomeJob() {
 }
 
 TEST(BuildIdentity, IsComplete) {
-  const BuildIdentity build = ThisBuild();
+  const reports::BuildInfo build = ThisBuild();
   EXPECT_THAT(build.estimator_sources, MatchesRegex("[0-9a-f]{64}"));
   EXPECT_THAT(build.evaluation_sources, MatchesRegex("[0-9a-f]{64}"));
   EXPECT_NE(build.estimator_sources, build.evaluation_sources);
@@ -44,7 +43,7 @@ TEST(BuildIdentity, IsComplete) {
 }
 
 TEST(BuildIdentity, IgnoresTheCommit) {
-  BuildIdentity build = SomeBuild();
+  reports::BuildInfo build = SomeBuild();
   const std::string hash = IdentityOf(build);
   build.commit = kDifferentText;
   EXPECT_EQ(IdentityOf(build), hash);
@@ -53,7 +52,7 @@ TEST(BuildIdentity, IgnoresTheCommit) {
 }
 
 TEST(BuildIdentity, DependsOnTheProcessorLevel) {
-  BuildIdentity build = SomeBuild();
+  reports::BuildInfo build = SomeBuild();
   const std::string hash = IdentityOf(build);
   build.cpu_level = "plain x86-64";
   EXPECT_NE(IdentityOf(build), hash);
@@ -100,6 +99,8 @@ TEST(DetectionsHash, DependsOnWhatTheEstimatorIsGiven) {
   EXPECT_NE(DetectionsHash(sequence), one);
 }
 
+const VariantInfo kNone{"static", "", nullptr, nullptr};
+
 // Frames 4 to 7 of a folder, with the statuses first, tracked, skipped and lost.
 class Result : public testing::Test {
  protected:
@@ -126,17 +127,14 @@ class Result : public testing::Test {
     run_.wall_s = 2.0;
   }
 
-  std::string File(const std::vector<Metric>& metrics = {}) {
+  std::string File() {
     run_.frames = frames_;
-    return test::Collected(
-        WriteResultFile,
-        RunRecord{sequence_, build_, "static", {{"a", 1}}, Json::object(), 3, metrics, {}, run_});
+    return test::Collected(WriteResultFile, run_);
   }
 
   Sequence sequence_;
-  BuildIdentity build_ = ThisBuild();
   std::vector<FrameRecord> frames_;
-  RunResult run_;
+  RunResult run_{RunRequest{.sequence = sequence_, .variant = kNone, .options = {}, .seed = 3}};
 };
 
 TEST_F(Result, ReportsTheStatusOfEachFrame) {
@@ -202,14 +200,6 @@ TEST_F(Result, ContainsNoTimesHostOrPaths) {
   EXPECT_EQ(File(), before);
 }
 
-TEST_F(Result, NamesItsJob) {
-  const RunRecord record{sequence_, build_, "static", {{"a", 1}}, {}, 3, {}, {}, run_};
-  const RunRecord other{sequence_, build_, "static", {{"a", 1}}, {}, 4, {}, {}, run_};
-  EXPECT_EQ(ParseJson(test::Collected(WriteResultFile, record), "result")["job"],
-            RecordedJob(record));
-  EXPECT_NE(RecordedJob(record), RecordedJob(other));
-}
-
 TEST_F(Result, RefusesNanAndNamesTheField) {
   frames_[3].report.mean_error_px = std::nan("");
   try {
@@ -221,10 +211,11 @@ TEST_F(Result, RefusesNanAndNamesTheField) {
 }
 
 TEST_F(Result, MetricsCarryTheirContract) {
-  std::vector<Metric> metrics = {MakeMetric({reports::MetricId::kCameraAte}, 0.5, 3)};
+  std::vector<Metric>& metrics = run_.scores.metrics;
+  metrics = {MakeMetric({reports::MetricId::kCameraAte}, 0.5, 3)};
   metrics[0].contract.truth = reports::TruthSource::kDevkit;
   StatePoses(reports::PoseTime::kCausal, 0.0, metrics);
-  const Json json = ParseJson(File(metrics), "result")["metrics"][0];
+  const Json json = ParseJson(File(), "result")["metrics"][0];
   EXPECT_EQ(json["value"], 0.5);
   EXPECT_EQ(json["contract"]["truth"], "devkit");
   EXPECT_EQ(json["contract"]["poses"], "causal");
@@ -232,10 +223,10 @@ TEST_F(Result, MetricsCarryTheirContract) {
 
 TEST_F(Result, TimingHasQuantilesAndContext) {
   run_.frames = frames_;
-  reports::TimingData context = ThisProcess();
-  context.job = "job";
-  context.threads = 2;
-  const Json json = ParseJson(test::Collected(WriteTimingFile, run_, context), "timing");
+  run_.timing = ThisProcess();
+  run_.timing.job = "job";
+  run_.timing.threads = 2;
+  const Json json = ParseJson(test::Collected(WriteTimingFile, run_), "timing");
   EXPECT_EQ(json["frames_per_second"], 2.0);
   EXPECT_EQ(json["threads"], 2);
   EXPECT_EQ(json["job"], "job");

@@ -7,10 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_files.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/runner/run_sequence.h"
-#include "tests/experiments/cache/frames.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/collected.h"
 #include "tests/support/error_message.h"
@@ -48,7 +46,7 @@ class RunnerCache : public testing::Test {
   JobCache Cache() {
     FileHashHooks hooks;
     hooks.notice = [this](const std::string& line) { notices_.push_back(line); };
-    return {root(), 1'000'000'000, hooks};
+    return {root(), 1'000'000'000, 1, hooks};
   }
   RunRequest Request(const char* variant = "static", int threads = 1) const {
     RunRequest request{.sequence = sequence_, .variant = FindVariant(variant), .options = {}};
@@ -56,14 +54,11 @@ class RunnerCache : public testing::Test {
     request.options.orb.features = 300;
     return request;
   }
-  std::string ResultOf(const RunRequest& request, const RunResult& run) const {
-    return test::Collected(WriteResultFile, RunRecord{.sequence = sequence_,
-                                                      .build = ThisBuild(),
-                                                      .variant = std::string(request.variant.name),
-                                                      .run = run});
+  static std::string ResultOf(const RunResult& run) {
+    return test::Collected(WriteResultFile, run);
   }
-  std::string Plain(const RunRequest& request) const {
-    return ResultOf(request, RunSequence(request).value());
+  static std::string ResultOf(const RunRequest& request) {
+    return ResultOf(RunSequence(request).value());
   }
   static bool EndsWithStage(const RunResult& run, const char* stage) {
     return run.times_s.contains(stage) && !std::isnan(run.times_s.at(stage).back());
@@ -75,7 +70,7 @@ class RunnerCache : public testing::Test {
     const RunResult run = RunSequence(request).value();
     hit = EndsWithStage(run, "load_features");
     EXPECT_NE(hit, EndsWithStage(run, "decode"));
-    return ResultOf(request, run);
+    return ResultOf(run);
   }
 
   test::TempFolder temp_;
@@ -85,10 +80,10 @@ class RunnerCache : public testing::Test {
 
 TEST_F(RunnerCache, WritesTheSameBytesForEveryVariantAndNumberOfThreads) {
   bool hit = true;
-  EXPECT_EQ(Cached(Request(), hit), Plain(Request()));
+  EXPECT_EQ(Cached(Request(), hit), ResultOf(Request()));
   EXPECT_FALSE(hit);
   for (const char* variant : {"static", "2d", "full"}) {
-    const std::string plain = Plain(Request(variant));
+    const std::string plain = ResultOf(Request(variant));
     for (const int threads : {1, 2, 4}) {
       EXPECT_EQ(Cached(Request(variant, threads), hit), plain) << variant << threads;
       EXPECT_TRUE(hit);
@@ -102,10 +97,10 @@ TEST_F(RunnerCache, ACacheHitReadsNoImage) {
   const JobCache cache = Cache();
   RunRequest request = Request();
   cache.Serve(request);
-  const std::string plain = ResultOf(request, RunSequence(request).value());
+  const std::string plain = ResultOf(request);
   const std::string job = IdentifyJob(request);
   fs::rename(sequence_.folder / "image_0", sequence_.folder / "elsewhere");
-  EXPECT_EQ(ResultOf(request, RunSequence(request).value()), plain);
+  EXPECT_EQ(ResultOf(request), plain);
   EXPECT_EQ(IdentifyJob(request), job);
 }
 
@@ -115,16 +110,16 @@ TEST_F(RunnerCache, ExtractsAgainOnlyIfTheFeaturesWouldChange) {
   RunRequest request = Request();
   request.options.window.spatial += 1;
   request.seed = 3;
-  EXPECT_EQ(Cached(request, hit), Plain(request));
+  EXPECT_EQ(Cached(request, hit), ResultOf(request));
   EXPECT_TRUE(hit);
   request.options.orb.features += 1;
-  EXPECT_EQ(Cached(request, hit), Plain(request));
+  EXPECT_EQ(Cached(request, hit), ResultOf(request));
   EXPECT_FALSE(hit);
   request.options.stereo.max_hamming -= 1;
-  EXPECT_EQ(Cached(request, hit), Plain(request));
+  EXPECT_EQ(Cached(request, hit), ResultOf(request));
   EXPECT_FALSE(hit);
   test::CutFile(sequence_.images[4].left);
-  EXPECT_EQ(Cached(Request(), hit), Plain(Request()));
+  EXPECT_EQ(Cached(Request(), hit), ResultOf(Request()));
   EXPECT_FALSE(hit);
 }
 
@@ -143,7 +138,7 @@ TEST_F(RunnerCache, DamageCostsTimeOnce) {
     const JobCache cache = Cache();
     RunRequest request = Request("static", 1 + static_cast<int>(i % 3));
     cache.Serve(request);
-    EXPECT_EQ(ResultOf(request, RunSequence(request).value()), plain) << at;
+    EXPECT_EQ(ResultOf(request), plain) << at;
     EXPECT_THAT(notices_, SizeIs(1)) << at;
     EXPECT_FALSE(fs::exists(entry)) << at;
     EXPECT_EQ(Cached(Request(), hit), plain);
@@ -176,7 +171,7 @@ TEST_F(RunnerCache, ImagesChangedAfterHashingAreNotStored) {
   cache.Serve(request);
   test::CutFile(sequence_.images[4].left);
   const RunResult run = RunSequence(request).value();
-  EXPECT_EQ(ResultOf(request, run), Plain(Request()));
+  EXPECT_EQ(ResultOf(run), ResultOf(Request()));
   EXPECT_THAT(NamesIn(features()), IsEmpty());
 }
 

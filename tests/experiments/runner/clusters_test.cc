@@ -9,7 +9,6 @@
 #include "core/files/json/json.h"
 #include "experiments/metrics/objects/object_scores.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/runner/score_run.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/estimator_inputs.h"
 #include "tests/support/temp_folder.h"
@@ -169,8 +168,7 @@ TEST_F(RunnerClusters, WritesTheSameBytesForAnyNumberOfThreads) {
   std::vector<std::string> first;
   for (const int threads : {1, 2, 4}) {
     request.threads = threads;
-    const JobOutcome outcome = RunJob(request, Out()).value();
-    EXPECT_EQ(outcome.context.job, IdentifyJob(request));
+    EXPECT_EQ(RunJob(request, Out())->job, IdentifyJob(request));
     std::vector<std::string> files;
     for (const std::string& name : names) files.push_back(test::ReadFile(Out() / name));
     if (first.empty()) first = files;
@@ -196,8 +194,8 @@ TEST_F(RunnerClusters, ClassesAndOracleArePartOfTheJob) {
 
 TEST_F(RunnerClusters, EstimatesHaveCausalAndRefinedClusters) {
   const RunResult run = RunSequence(Request()).value();
-  const ObjectEstimate causal = ObjectEstimateOf(run, PoseTime::kCausal);
-  const ObjectEstimate refined = ObjectEstimateOf(run, PoseTime::kRefined);
+  const ObjectEstimate causal = ObjectEstimateOf(run, reports::PoseTime::kCausal);
+  const ObjectEstimate refined = ObjectEstimateOf(run, reports::PoseTime::kRefined);
   ASSERT_THAT(causal.clusters, SizeIs(2));
   ASSERT_THAT(causal.clusters[0].frames, SizeIs(3));
   EXPECT_EQ(causal.clusters[0].frames[2].frame, 3);
@@ -234,11 +232,13 @@ TEST(ObjectEstimateOf, VelocityIsComparedAtTheClusterCentre) {
     frame.landmarks.assign(5, {1, {1, PointMotion::kMoving}});
     frames.push_back(frame);
   }
-  RunResult run;
+  const Sequence sequence;
+  RunResult run{RunRequest{.sequence = sequence, .variant = kBoxes, .options = {}}};
   run.frames = frames;
   truth.bodies.push_back(body);
   FinishTruth(truth);
-  const ObjectScores scores = ScoreObjects(truth, ObjectEstimateOf(run, PoseTime::kCausal));
+  const ObjectScores scores =
+      ScoreObjects(truth, ObjectEstimateOf(run, reports::PoseTime::kCausal));
   ASSERT_THAT(scores.bodies, SizeIs(1));
   EXPECT_NEAR(*scores.bodies[0].velocity_m_s, 0.0, 1e-12);
 }
@@ -254,14 +254,15 @@ TEST(ObjectEstimateOf, FramesBeforeConfirmationHaveOnlyRefinedPoses) {
     trajectory.poses.push_back(
         test::PoseInFrame(k, k, ClusterStatus::kTracked, At(1.0 + k), cluster));
   }
-  RunResult run;
+  const Sequence sequence;
+  RunResult run{RunRequest{.sequence = sequence, .variant = kBoxes, .options = {}}};
   run.frames = frames;
   run.clusters = {trajectory};
-  const auto causal = ObjectEstimateOf(run, PoseTime::kCausal).clusters.at(0).frames;
+  const auto causal = ObjectEstimateOf(run, reports::PoseTime::kCausal).clusters.at(0).frames;
   ASSERT_THAT(causal, SizeIs(1));
   EXPECT_EQ(causal[0].frame, 1);
   EXPECT_EQ(causal[0].world_from_object.translation().x(), 0.0);
-  const auto refined = ObjectEstimateOf(run, PoseTime::kRefined).clusters.at(0).frames;
+  const auto refined = ObjectEstimateOf(run, reports::PoseTime::kRefined).clusters.at(0).frames;
   ASSERT_THAT(refined, SizeIs(2));
   EXPECT_EQ(refined[0].world_from_object.translation().x(), 1.0);
 }

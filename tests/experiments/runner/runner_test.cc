@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "core/base/error.h"
@@ -12,9 +13,8 @@
 #include "experiments/datasets/images.h"
 #include "experiments/runner/frame_source.h"
 #include "experiments/runner/identity.h"
-#include "experiments/runner/result_file.h"
-#include "experiments/runner/run_sequence.h"
-#include "experiments/runner/score_run.h"
+#include "experiments/runner/run_files.h"
+#include "experiments/runner/run_job.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/collected.h"
 #include "tests/support/temp_folder.h"
@@ -123,11 +123,7 @@ class Runner : public testing::Test {
   RunRequest Request(const VariantInfo& variant = kFake) const {
     return {.sequence = sequence_, .variant = variant, .options = {}};
   }
-  std::string ResultOf(const RunResult& run) const {
-    return test::Collected(
-        WriteResultFile,
-        RunRecord{.sequence = sequence_, .build = ThisBuild(), .variant = "fake", .run = run});
-  }
+  std::string ResultOf(const RunResult& run) const { return test::Collected(WriteResultFile, run); }
 
   test::TempFolder folder_;
   Sequence sequence_;
@@ -229,9 +225,7 @@ TEST_F(Runner, EstimatorErrorsGiveAFailedResult) {
   EXPECT_EQ(run.message, "frame 3: the fake has had enough");
   EXPECT_THAT(run.frames, SizeIs(3));
   EXPECT_EQ(run.content, content);
-  const RunScores scores = ScoreRun(sequence_, run);
-  EXPECT_TRUE(scores.refined.empty());
-  EXPECT_TRUE(scores.causal.empty());
+  EXPECT_TRUE(ScoreRun(run).metrics.empty());
   EXPECT_NO_THROW(ResultOf(run));
 }
 
@@ -260,7 +254,7 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
   options.orb.features = 60;
   TaskPool pool(1);
   const std::vector<StereoFeature> features =
-      OpenFrames({sequence_, options, {}}, pool)->Next().frame.features;
+      OpenFrames({sequence_, options, {}}, pool)->Next().features;
   const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
   const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
   const std::vector<StereoFeature> expected =
@@ -268,8 +262,7 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
   ASSERT_THAT(features, SizeIs(expected.size()));
   for (std::size_t i = 0; i < features.size(); ++i) EXPECT_EQ(features[i].z_px, expected[i].z_px);
   options.stereo.right_features = 1.0;
-  EXPECT_NE(OpenFrames({sequence_, options, {}}, pool)->Next().frame.features.size(),
-            expected.size());
+  EXPECT_NE(OpenFrames({sequence_, options, {}}, pool)->Next().features.size(), expected.size());
 }
 
 TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
@@ -285,7 +278,7 @@ TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
   sequence_.detections = {box};
   TaskPool pool(1);
   const std::vector<StereoFeature> features =
-      OpenFrames({sequence_, options, {}}, pool)->Next().frame.features;
+      OpenFrames({sequence_, options, {}}, pool)->Next().features;
   const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
   const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
   const auto extract = [&](const std::vector<cv::Rect2d>& boxes) {
@@ -302,17 +295,16 @@ TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
 
 TEST_F(Runner, ScoresBothTrajectories) {
   const RunResult run = RunSequence(Request()).value();
-  const RunScores scores = ScoreRun(sequence_, run);
-  ASSERT_FALSE(scores.refined.empty());
-  constexpr std::size_t kDrifts = 12;  // maximum drift exists for refined poses only
-  ASSERT_THAT(scores.causal, SizeIs(scores.refined.size() - kDrifts));
-  for (const Metric& metric : scores.refined) {
-    EXPECT_THAT(metric.name, testing::StartsWith("camera_"));
+  std::map<reports::PoseTime, int> counts;
+  for (const Metric& metric : ScoreRun(run).metrics) {
+    const bool causal = metric.contract.poses == reports::PoseTime::kCausal;
+    ++counts[*metric.contract.poses];
+    EXPECT_THAT(metric.name, testing::StartsWith(causal ? "camera_causal_" : "camera_"));
     EXPECT_EQ(metric.contract.truth, reports::TruthSource::kOfficial);
   }
-  for (const Metric& metric : scores.causal) {
-    EXPECT_THAT(metric.name, testing::StartsWith("camera_causal_"));
-  }
+  EXPECT_GT(counts[reports::PoseTime::kCausal], 0);
+  constexpr int kDrifts = 12;  // maximum drift exists for refined poses only
+  EXPECT_EQ(counts[reports::PoseTime::kRefined], counts[reports::PoseTime::kCausal] + kDrifts);
 }
 
 TEST_F(Runner, TheContentHashDependsOnBytesNotPaths) {

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tests/support/temp_folder.h"
 
@@ -24,5 +26,16 @@ void CutFile(const std::filesystem::path& file);
 // 32 x 16 px large, in the middle of the input, with a score of (1 + e^-4)^-2. Returns the path of
 // the .cfg.
 std::string WriteTinyNetwork(const TempFolder& folder);
+
+// Sorted names of what is in a folder.
+inline std::vector<std::string> NamesIn(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 }  // namespace cvo::test

@@ -11,9 +11,7 @@
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/build_plan.h"
-#include "experiments/suite/job_input.h"
-#include "experiments/suite/plan_inputs.h"
-#include "experiments/suite/plan_outlook.h"
+#include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -63,18 +61,17 @@ TEST_F(SuitePlan, TheJobOfAFolderHasTheIdentityThatARunRecords) {
   EXPECT_EQ(job.frames, kFrames);
   const Sequence sequence = OpenSequence(RequestOf(suite, job, data()));
   fs::create_directory(folder_.path() / "out");
-  const auto outcome = RunJob({.sequence = sequence,
-                               .variant = FindVariant("static"),
-                               .options = OptionsOf(suite, job.variant, job.parameters),
-                               .seed = 3},
-                              folder_.path() / "out");
-  ASSERT_TRUE(outcome.has_value());
-  EXPECT_EQ(job.job, outcome->context.job);
-  EXPECT_EQ(job.content, outcome->run.content);
+  const auto run = RunJob({.sequence = sequence,
+                           .variant = FindVariant("static"),
+                           .options = OptionsOf(suite, job.variant, job.parameters),
+                           .seed = 3},
+                          folder_.path() / "out");
+  ASSERT_TRUE(run.has_value());
+  EXPECT_EQ(job.job, run->job);
+  EXPECT_EQ(job.content, run->content);
   std::set<std::string> known;
   for (const std::string& name : reports::AllMetricNames()) known.insert(name);
-  for (const Metric& metric : outcome->scores.refined) EXPECT_EQ(known.count(metric.name), 1U);
-  for (const Metric& metric : outcome->scores.causal) EXPECT_EQ(known.count(metric.name), 1U);
+  for (const Metric& metric : run->scores.metrics) EXPECT_EQ(known.count(metric.name), 1U);
 }
 
 TEST_F(SuitePlan, AChangedImageGivesAnotherJob) {
@@ -233,16 +230,16 @@ TEST_F(SuitePlan, TheJobOfARenderedSceneHasTheIdentityOfItsBytes) {
   const Sequence sequence = OpenSequence(RequestOf(suite, job, ""));
   EXPECT_EQ(sequence.name, "tiny");
   EXPECT_FALSE(sequence.detections.empty());
-  EXPECT_EQ(job.content, ContentHash(sequence, HashImages(sequence)));
+  EXPECT_EQ(job.content, ContentHash(sequence, FileHashes().OfImages(sequence)));
   EXPECT_EQ(job.job, IdentifyJob({.sequence = sequence,
                                   .variant = FindVariant("full"),
                                   .options = OptionsOf(suite, "full", {}),
                                   .seed = 1}));
   // A scene with a missing or truncated file is rendered again.
-  EXPECT_EQ(FindSceneDamage(render.output, HashesByReading), std::nullopt);
+  EXPECT_EQ(FindSceneDamage(render.output, {}), std::nullopt);
   fs::resize_file(render.output / "image_0" / "000001.png", 10);
-  EXPECT_EQ(FindSceneDamage(render.output, HashesByReading, {0, 1}), std::nullopt);
-  EXPECT_THAT(FindSceneDamage(render.output, HashesByReading).value_or(""),
+  EXPECT_EQ(FindSceneDamage(render.output, {}, {0, 1}), std::nullopt);
+  EXPECT_THAT(FindSceneDamage(render.output, {}).value_or(""),
               HasSubstr("image_0/000001.png has changed since it was written"));
   EXPECT_EQ(Build(suite).plan.jobs.at(0).missing, kNotRendered);
 }
@@ -251,95 +248,18 @@ TEST_F(SuitePlan, TheFolderOfASceneDependsOnItsContent) {
   if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
   SceneFolders scenes(cache());
   SuiteSequence tiny = Parse(SmallSuite()).sequences[0];
-  const RenderedScene one = scenes.Find(tiny, {}, 1);
-  EXPECT_EQ(scenes.Find(tiny, {}, 1).folder, one.folder);
-  EXPECT_EQ(scenes.Find(tiny, {{"window.spatial", 3}}, 1).folder, one.folder);
-  const RenderedScene noise = scenes.Find(tiny, {}, 2);
-  EXPECT_NE(noise.folder, one.folder);
+  const Preparation one = scenes.Find(tiny, {}, 1);
+  EXPECT_EQ(scenes.Find(tiny, {}, 1).output, one.output);
+  EXPECT_EQ(scenes.Find(tiny, {{"window.spatial", 3}}, 1).output, one.output);
+  const Preparation noise = scenes.Find(tiny, {}, 2);
+  EXPECT_NE(noise.output, one.output);
   EXPECT_EQ(noise.drawing, one.drawing);
-  const RenderedScene detector = scenes.Find(tiny, {{"scene.detector.miss_rate", 0.5}}, 1);
-  EXPECT_NE(detector.folder, one.folder);
+  const Preparation detector = scenes.Find(tiny, {{"scene.detector.miss_rate", 0.5}}, 1);
+  EXPECT_NE(detector.output, one.output);
   EXPECT_EQ(detector.drawing, one.drawing);
   EXPECT_NE(scenes.Find(tiny, {{"scene.camera.height_m", 1.15}}, 1).drawing, one.drawing);
   tiny.frames = "0:2";
   EXPECT_NE(scenes.Find(tiny, {}, 1).drawing, one.drawing);
-}
-
-// A made-up plan with one job per variant, which needs no sequence.
-Plan PlanOf(const std::vector<std::string>& variants) {
-  Json json = test::FolderSuite("x");
-  json["variants"] = variants;
-  Plan plan;
-  plan.suite = test::Parse(json);
-  plan.build = "build";
-  plan.jobs = ExpandSuite(plan.suite);
-  for (PlanJob& job : plan.jobs) {
-    job.folder = "/x";
-    job.frames = 70;
-    job.content = "content";
-    job.input = "input";
-    job.job = "job of " + job.variant;
-  }
-  return plan;
-}
-
-EarlierRuns With(const std::optional<Plan>& plan, const std::set<std::string>& done) {
-  return {plan, [done](const PlanJob& job) { return done.count(job.job) > 0; },
-          [](const std::string&) { return std::string(); }};
-}
-
-TEST(PlanOutlook, SaysWhichJobsRunAndWhy) {
-  Plan plan = PlanOf({"full", "static", "2d"});
-  plan.jobs[2].missing = kNotRendered;
-  const auto outlook = PredictStates(plan, With(std::nullopt, {"job of full"}));
-  EXPECT_EQ(outlook[0].state, JobState::kDone);
-  EXPECT_EQ(outlook[1].state, JobState::kRuns);
-  EXPECT_EQ(outlook[1].why, "new");
-  EXPECT_EQ(outlook[2].state, JobState::kPrepares);
-  plan.jobs[2].missing = "no such drive";
-  EarlierRuns runs = With(PlanOf({"full"}), {});
-  EXPECT_EQ(PredictStates(plan, runs)[0].why, "not run yet");
-  EXPECT_EQ(PredictStates(plan, runs)[1].why, "not in the previous plan");
-  EXPECT_EQ(PredictStates(plan, runs)[2].why, "no such drive");
-  runs.failed = [](const std::string&) { return std::string("no memory"); };
-  EXPECT_EQ(PredictStates(plan, runs)[0].why, "failed before: no memory");
-}
-
-TEST(PlanOutlook, SaysWhyADoneJobRunsAgain) {
-  const Plan earlier = PlanOf({"full"});
-  const auto why = [&](Plan plan) {
-    plan.jobs[0].job = "another";
-    return PredictStates(plan, With(earlier, {"job of full"})).at(0).why;
-  };
-  Plan plan = earlier;
-  plan.build = "other";
-  plan.jobs[0].content = "changed";
-  EXPECT_EQ(why(plan), "different build of the program, the sequence has changed");
-  plan = earlier;
-  plan.suite.options = {{"window", {{"spatial", 7}}}};
-  EXPECT_EQ(why(plan), "different options");
-  EXPECT_EQ(why(earlier), "different boxes or files");
-}
-
-TEST(PlanOutlook, EstimatesFromMeasuredTimes) {
-  const test::TempFolder folder;
-  reports::TimingData timing;
-  timing.wall_s = 7.0;
-  timing.frames = Json::array({Json::object(), Json::object()});
-  folder.Write("job of full/timing.json", FileText(timing));
-  folder.Write("job of 2d/timing.json", "damaged");
-  BuiltPlan built{PlanOf({"full", "static", "2d"}), {}};
-  auto outlook = PredictStates(built.plan, With(std::nullopt, {}));
-  EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, {}), 3 * 70 / 35.0);
-  const EarlierRuns earlier = With(PlanOf({"no_pairwise"}), {"job of full", "job of 2d"});
-  outlook = PredictStates(built.plan, earlier);
-  const auto frame_s = MeasuredFrameTime_s(
-      built.plan, earlier, [&](const std::string& job) { return folder.path() / job; });
-  EXPECT_EQ(frame_s, 3.5);  // of the file that can be read
-  EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, frame_s), 70 * 3.5);
-  built.preparations = {{"a", "x", "/a", {}, 10, Stage::kDrawing},
-                        {"b", "x", "/b", {}, 10, Stage::kNoise}};
-  EXPECT_DOUBLE_EQ(EstimatedSeconds(built, outlook, frame_s), 70 * 3.5 + 10 * 0.28 + 10 * 0.03);
 }
 
 }  // namespace

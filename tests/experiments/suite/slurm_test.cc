@@ -23,7 +23,6 @@ namespace cvo::test::slurm_test {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -165,9 +164,9 @@ TEST_F(SlurmEngineTest, ATaskWithoutAnExitCodeFailsAlone) {
   };
   SlurmEngine(options_).Run(tasks, hooks);
   ASSERT_EQ(output.ends.size(), 3u);
-  EXPECT_THAT(output.ends["cancelled"].front().message, StartsWith("cancelled in Slurm"));
+  EXPECT_THAT(output.ends["cancelled"].front().message, StartsWith("ended by Slurm: CANCELLED"));
   EXPECT_TRUE(output.ends["fine"].front().ok);
-  EXPECT_THAT(output.ends["lost"].front().message, StartsWith("failed in Slurm (FAILED)"));
+  EXPECT_THAT(output.ends["lost"].front().message, StartsWith("ended by Slurm: FAILED"));
 }
 
 TEST_F(SlurmEngineTest, ResumesTheTasksOfAKilledRunner) {
@@ -186,7 +185,6 @@ TEST_F(SlurmEngineTest, ResumesTheTasksOfAKilledRunner) {
     if (output.ends.contains("another")) std::ofstream(folder_ / "go") << "go";
     return false;
   };
-  hooks.keeps = [](const std::string& name) { return name != "task1"; };
   SlurmEngine engine(options_);
   // Run in two parts: tasks not requested yet must be left alone.
   engine.Run(std::span(tasks).first(3), hooks);
@@ -200,9 +198,7 @@ TEST_F(SlurmEngineTest, ResumesTheTasksOfAKilledRunner) {
     EXPECT_TRUE(output.ends[task.name].front().ok) << output.ends[task.name].front().message;
     EXPECT_EQ(Starts(task.name), 1u) << task.name;
   }
-  EXPECT_THAT(output.notices, AllOf(Contains(HasSubstr("submitted by an earlier run")),
-                                    Contains(HasSubstr("cancelled tasks"))));
-  EXPECT_TRUE(NothingLeft());
+  EXPECT_THAT(output.notices, Contains(HasSubstr("submitted by an earlier run")));
 }
 
 TEST_F(SlurmEngineTest, StopCancelsAllTasks) {
