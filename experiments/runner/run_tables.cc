@@ -13,7 +13,7 @@
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "core/geometry/rigid_transform.h"
-#include "core/record/run_rows.h"
+#include "core/record/csv_rows.h"
 #include "experiments/metrics/trajectory.h"
 
 namespace cvo {
