@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/record/run_rows.h"
+#include "core/record/csv_rows.h"
 #include "core/record/run_summary.h"
 #include "core/record/truth.h"
 

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
-#include "core/record/scene_rows.h"
+#include "core/record/csv_rows.h"
 
 namespace cvo::synth {
 namespace {

@@ -6,7 +6,7 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
-#include "core/record/scene_rows.h"
+#include "core/record/csv_rows.h"
 
 namespace cvo {
 
