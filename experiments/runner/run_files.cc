@@ -19,6 +19,7 @@
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
+#include "core/record/csv_rows.h"
 #include "experiments/metrics/trajectory.h"
 
 namespace cvo {
