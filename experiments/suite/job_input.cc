@@ -114,9 +114,7 @@ SequenceRequest RequestOf(const Suite& suite, const PlanJob& job, const fs::path
   const SuiteSequence& sequence = suite.sequences[job.entry];
   SequenceRequest request;
   request.folder = job.folder;
-  request.dataset = sequence.dataset;
   request.pair = sequence.pair;
-  request.groundtruth = sequence.groundtruth;
   request.perturbation = PerturbationOf(sequence, job.parameters, job.seed);
   const bool by_detector = !sequence.detector.model.empty();
   if (by_detector) request.detections_file = job.boxes;

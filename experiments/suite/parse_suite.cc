@@ -99,9 +99,7 @@ void VisitSequence(Fields fields, SuiteSequence& sequence) {
   fields.Texts("classes", sequence.classes);
   fields.Object("perturb", sequence.perturb);
   if (sequence.folder.empty()) return;
-  fields.Text("dataset", sequence.dataset, {"kitti", "other"});
   fields.Text("pair", sequence.pair, {"grey", "colour"});
-  fields.Text("groundtruth", sequence.groundtruth, {"devkit", "interpolated"});
   fields.Integer("detections_camera", sequence.detections_camera, {0, 3});
   fields.Number("min_score", sequence.min_score, {-1e6, 1e6});
   fields.Text("labels", sequence.labels);

@@ -30,9 +30,7 @@ struct SuiteSequence {
   std::string folder;   // below the suite's data folder; empty: a scene
   std::string name;     // for rows; default: the last component of the scene's or folder's path
   std::string frames;   // "A:B"; empty: all
-  std::string dataset;  // as in SequenceRequest; empty: determined from the folder
   std::string pair;     // as in SequenceRequest; empty: determined from the folder
-  std::string groundtruth = "devkit";
   // Level of the scene's detector, "labels", a file below the data folder, or empty for none. With
   // `detector`: the name of that detector.
   std::string detections;

@@ -44,10 +44,6 @@ std::optional<ImageBox> ReadBox(const CsvFile& file, std::size_t row, std::size_
   return box;
 }
 
-void CheckFraction(const CsvFile& file, std::size_t row, const char* name, double value) {
-  if (value < 0.0 || value > 1.0) file.Fail(row, StrCat(name, " ", value), "a value in [0, 1]");
-}
-
 SceneBody ReadBody(const CsvFile& file, std::size_t row) {
   SceneBody body;
   body.id = file.Integer(row, 1);
@@ -58,26 +54,11 @@ SceneBody ReadBody(const CsvFile& file, std::size_t row) {
   body.angular_velocity_in_world = ReadVector(file, row, 14);
   body.size_m = ReadVector(file, row, 17);
   body.visible_px = file.Integer(row, 20);
-  body.alone_px = file.Integer(row, 21);
   body.visible_fraction = file.Number(row, 22);
-  body.truncation = file.Number(row, 23);
   body.visible_box = ReadBox(file, row, 24);
-  body.amodal_box = ReadBox(file, row, 28);
   if (!(body.size_m.minCoeff() > 0.0)) {
     file.Fail(row, StrCat("a size of ", body.size_m.transpose(), " m"), "positive sizes");
   }
-  if (body.visible_px < 0 || body.alone_px < body.visible_px) {
-    file.Fail(row, StrCat(body.visible_px, " visible pixels of ", body.alone_px),
-              "0 <= visible_px <= alone_px");
-  }
-  if (body.visible_box.has_value() != (body.visible_px > 0)) {
-    file.Fail(row,
-              StrCat(body.visible_px, " visible pixels and ",
-                     body.visible_box ? "a visible box" : "no visible box"),
-              "a visible box where there are visible pixels");
-  }
-  CheckFraction(file, row, "visible_fraction", body.visible_fraction);
-  CheckFraction(file, row, "truncation", body.truncation);
   return body;
 }
 

@@ -26,12 +26,9 @@ struct SceneBody {
   Eigen::Vector3d angular_velocity_in_world;  // rad/s
   Eigen::Vector3d size_m;                     // of its box along x, y, z
   int visible_px = 0;                         // in the mask of the left image
-  int alone_px = 0;                           // if nothing occluded it
-  double visible_fraction = 0.0;              // visible_px / alone_px; 0 if out of view
-  double truncation = 0.0;                    // fraction of its projected box outside the image
-  // A box around the single pixel (u, v) has all four sides on it.
-  std::optional<ImageBox> visible_box;  // around the mask; empty if the mask is
-  std::optional<ImageBox> amodal_box;   // around the whole body, clipped to the image
+  double visible_fraction = 0.0;              // of what is seen if nothing occludes it
+  // Around the mask; empty if the mask is. All four sides lie on pixels of it.
+  std::optional<ImageBox> visible_box;
 };
 
 extern const std::string_view kObjectsHeader;
