@@ -163,15 +163,12 @@ struct SceneCheckFlags {
   int threads = 1;
 };
 
-std::string Limit(const SceneCheck& check) {
-  return (check.bound == Bound::kAtMost ? "<= " : ">= ") + ReadableNumber(check.limit);
-}
-
 void Print(const SceneCheckReport& report) {
   TextTable table({"check", "figure", "unit", "limit", "", "worst"});
   for (const SceneCheck& check : report.checks) {
     table.Add({check.name, std::isfinite(check.figure) ? ReadableNumber(check.figure) : "-",
-               check.unit, Limit(check), check.Passed() ? "ok" : "FAILED", check.where});
+               check.unit, "<= " + ReadableNumber(check.limit), check.Passed() ? "ok" : "FAILED",
+               check.where});
   }
   table.Print(std::cout);
   std::cout << '\n'

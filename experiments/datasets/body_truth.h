@@ -3,31 +3,45 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/objects/object_matching.h"
 
 namespace cvo {
 
+// What a pixel shows: the id of a body and the point in the body's frame, clamped to its box. Body
+// 0 is the static scene; -1: unknown.
+struct SeenBody {
+  int body = -1;
+  Eigen::Vector3d p_in_object = Eigen::Vector3d::Zero();
+};
+
 // Ground truth of the bodies of a sequence: their poses, and which body a pixel shows.
 class BodyTruthReader {
  public:
-  virtual ~BodyTruthReader() = default;
+  // What a pixel of the left image shows, given the point (left camera, m) that stereo triangulates
+  // there. `frame` counts from Sequence::first_frame.
+  using Look =
+      std::function<SeenBody(const ObjectTruth& objects, std::size_t frame,
+                             const Eigen::Vector2d& left_px, const Eigen::Vector3d& p_in_camera)>;
+  BodyTruthReader(ObjectTruth objects, Look look);
 
-  virtual const ObjectTruth& objects() const = 0;
+  const ObjectTruth& objects() const { return objects_; }
 
   // Returns the id of the body with this track id in labels and detections, or -1 if there is none.
-  virtual int BodyOfTrack(int track) const = 0;
+  int BodyOfTrack(int track) const;
 
-  // Returns the truth of what is visible at a pixel of the left image, given the point (left
-  // camera, m) that stereo triangulates there. `frame` counts from Sequence::first_frame. Frames in
-  // increasing order are fast, as one mask is kept in memory. Throws Error for a frame outside the
-  // sequence or a mask that cannot be read.
-  virtual LandmarkTruth Find(int frame, const Eigen::Vector2d& left_px,
-                             const Eigen::Vector3d& p_in_camera) = 0;
+  // Returns the truth of what a pixel shows; unknown if the frame has no pose of the body. Frames
+  // in increasing order are fast, as one mask is kept in memory. Throws Error for a frame outside
+  // the sequence or a mask that cannot be read.
+  LandmarkTruth Find(int frame, const Eigen::Vector2d& left_px, const Eigen::Vector3d& p_in_camera);
+
+ private:
+  ObjectTruth objects_;
+  Look look_;
 };
 
 // Reads the ground truth of the bodies from objects.csv and the instance masks of a rendered scene,
@@ -41,24 +55,9 @@ std::unique_ptr<BodyTruthReader> ReadBodyTruth(const Sequence& sequence);
 // Reads the bodies of a rendered scene.
 BodyTracks ReadSceneBodyTracks(const Sequence& sequence);
 std::unique_ptr<BodyTruthReader> MakeTrackBodyTruth(const Sequence& sequence, BodyTracks tracks);
-std::unique_ptr<BodyTruthReader> ReadLabelBodyTruth(const Sequence& sequence);
 
 constexpr double kIndoorTravel_m = 0.2;
 constexpr double kOutdoorTravel_m = 2.0;
-
-// Whether `category` is one of KITTI's traffic categories.
-bool IsTraffic(const std::string& category);
-
-// Returns the timestamps and camera poses of the sequence, without any bodies.
-ObjectTruth TruthWithoutBodies(const Sequence& sequence);
-
-// Returns the truth of a landmark on body `id`, given its point in the body's frame, clamped to the
-// body's box. Unknown if the frame has no pose of the body.
-LandmarkTruth TruthOnBody(const ObjectTruth& truth, int id, int frame,
-                          const Eigen::Vector3d& p_in_object);
-
-// Returns the frame as an index. Throws Error if the truth does not have this frame.
-std::size_t CheckedFrame(const ObjectTruth& truth, int frame);
 
 // What StereoCamera::right_field_px should be found for a rendered scene: the best fit, over the
 // whole image, to the disparity error that the scene's right camera gives points far away. The

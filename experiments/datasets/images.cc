@@ -3,7 +3,6 @@
 #include "experiments/datasets/images.h"
 
 #include <algorithm>
-#include <map>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <string>
@@ -19,54 +18,15 @@ namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder, const NumberedName& name) {
-  std::map<std::int64_t, fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const fs::path& path = entry.path();
-    if (name.extension == ".png" && IsJpeg(path)) {
-      ThrowError(path.string(), "a JPEG image", "PNG images (JPEG changes pixels)");
-    }
-    std::string stem = path.stem().string();
-    if (path.extension() != name.extension || !stem.starts_with(name.prefix)) continue;
-    stem.erase(0, name.prefix.size());
-    if (stem.find_first_not_of("0123456789") != std::string::npos) continue;
-    const std::optional<std::int64_t> number = ParseInteger(stem);
-    if (!number) continue;
-    const auto [same, added] = files.emplace(*number, path);
-    if (!added) {
-      const auto [first, second] = std::minmax(same->second, path);
-      ThrowError(second.string(), StrCat("number ", *number, " a second time"),
-                 StrCat("only ", first.filename().string()));
-    }
-  }
-  return files;
-}
-
-// Returns the name that the file with another number has in the same folder, with as many digits.
-std::string SiblingName(const fs::path& sibling, std::int64_t number) {
-  const std::string stem = sibling.stem().string();
-  const std::size_t prefix = stem.find_last_not_of("0123456789") + 1;  // 0 if there is no prefix
-  std::string digits = std::to_string(number);
-  const std::size_t width = stem.size() - prefix;
-  if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
-  return stem.substr(0, prefix) + digits + sibling.extension().string();
-}
-
 void CheckNoGap(const fs::path& folder, const std::map<std::int64_t, fs::path>& files) {
-  const std::int64_t last = files.rbegin()->first;
-  const std::int64_t absent = last + 1 - static_cast<std::int64_t>(files.size());
-  if (absent == 0) return;
-  constexpr int kListed = 10;
-  std::string names;
-  int listed = 0;
-  for (std::int64_t number = 0; number <= last && listed < kListed; ++number) {
-    if (files.contains(number)) continue;
-    names += (listed++ == 0 ? "" : ", ") + SiblingName(files.rbegin()->second, number);
+  std::int64_t expected = 0;
+  for (const auto& [number, path] : files) {
+    if (number != expected) {
+      ThrowError(folder.string(), StrCat(files.size(), " files without number ", expected),
+                 StrCat("all from 0 to ", files.rbegin()->first));
+    }
+    ++expected;
   }
-  if (absent > listed) names += StrCat(" and ", absent - listed, " more");
-  ThrowError(folder.string(), StrCat(files.size(), " files without ", names),
-             StrCat("all from ", SiblingName(files.rbegin()->second, 0), " to ",
-                    files.rbegin()->second.filename().string()));
 }
 
 void CheckSize(const fs::path& path, const StereoImages& images, const fs::path& first) {
@@ -92,13 +52,36 @@ cv::Mat DecodeGrey(const std::string& bytes, bool is_png) {
 
 }  // namespace
 
-std::vector<fs::path> ListNumberedFiles(const fs::path& folder, const NumberedName& name) {
+std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder, const NumberedName& name) {
   const std::string pattern = StrCat(name.prefix, "<number>", name.extension);
   if (!fs::is_directory(folder)) {
     ThrowError(folder.string(), "no such folder", "a folder of " + pattern);
   }
-  const std::map<std::int64_t, fs::path> files = NumberedFiles(folder, name);
+  std::map<std::int64_t, fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const fs::path& path = entry.path();
+    if (name.extension == ".png" && IsJpeg(path)) {
+      ThrowError(path.string(), "a JPEG image", "PNG images (JPEG changes pixels)");
+    }
+    std::string stem = path.stem().string();
+    if (path.extension() != name.extension || !stem.starts_with(name.prefix)) continue;
+    stem.erase(0, name.prefix.size());
+    if (stem.find_first_not_of("0123456789") != std::string::npos) continue;
+    const std::optional<std::int64_t> number = ParseInteger(stem);
+    if (!number) continue;
+    const auto [same, added] = files.emplace(*number, path);
+    if (!added) {
+      const auto [first, second] = std::minmax(same->second, path);
+      ThrowError(second.string(), StrCat("number ", *number, " a second time"),
+                 StrCat("only ", first.filename().string()));
+    }
+  }
   if (files.empty()) ThrowError(folder.string(), "no " + pattern, "at least one such file");
+  return files;
+}
+
+std::vector<fs::path> ListNumberedFiles(const fs::path& folder, const NumberedName& name) {
+  const std::map<std::int64_t, fs::path> files = NumberedFiles(folder, name);
   CheckNoGap(folder, files);
   std::vector<fs::path> paths;
   for (const auto& [number, path] : files) paths.push_back(path);

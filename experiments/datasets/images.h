@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
@@ -35,8 +37,12 @@ StereoImages ListStereoImages(const std::filesystem::path& left_folder,
 // size. Throws Error otherwise.
 StereoImages CheckedImages(std::vector<StereoPaths> paths);
 
-// Returns the files <prefix><number><extension> of a folder, sorted by number. The numbers must be
-// 0, 1, ... without gaps. Throws Error that lists the missing files.
+// Returns the files <prefix><number><extension> of a folder by number; others are ignored. Throws
+// Error if there are none, or two with one number.
+std::map<std::int64_t, std::filesystem::path> NumberedFiles(const std::filesystem::path& folder,
+                                                            const NumberedName& name);
+
+// Returns them sorted by number. Throws Error unless the numbers are 0, 1, ... without gaps.
 std::vector<std::filesystem::path> ListNumberedFiles(const std::filesystem::path& folder,
                                                      const NumberedName& name);
 

@@ -3,7 +3,6 @@
 #include "experiments/datasets/sequence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -51,6 +50,15 @@ std::vector<fs::path> SubFolders(const fs::path& folder) {
   return folders;
 }
 
+// Returns <folder>/<number> of each sequence of KITTI tracking, sorted.
+std::vector<fs::path> TrackingSequences(const fs::path& set_folder) {
+  std::vector<fs::path> sequences;
+  for (const fs::path& images : SubFolders(set_folder / "image_02")) {
+    if (IsNumber(images.filename().string())) sequences.push_back(set_folder / images.filename());
+  }
+  return sequences;
+}
+
 const SequenceLayout* LayoutOf(const fs::path& folder) {
   for (const SequenceLayout& layout : SequenceLayouts()) {
     if (layout.knows(folder)) return &layout;
@@ -79,49 +87,11 @@ void Collect(const fs::path& folder, std::set<fs::path>& visited,
   }
 }
 
-constexpr const char* kKittiDataSet = "kitti";
-constexpr const char* kOtherDataSet = "other";
-
-struct Projection {
-  double focal_px, cx_px, cy_px;
-};
-
-// The rectified cameras of KITTI's five recording days (2011_09_26, 28, 29, 30 and 10_03). The
-// odometry, tracking, object and stereo benchmarks are parts of these recordings and have the same
-// intrinsics.
-constexpr std::array<Projection, 5> kKittiDays = {{{721.5377, 609.5593, 172.8540},
-                                                   {707.0493, 604.0814, 180.5066},
-                                                   {718.3351, 600.3891, 181.5122},
-                                                   {707.0912, 601.8873, 183.1104},
-                                                   {718.8560, 607.1928, 185.2157}}};
-
-// The baselines of the grey and the colour pair are both 0.53 to 0.54 m.
-bool IsKittiRig(const StereoCamera& camera) {
-  const auto near = [](double a, double b, double tolerance) {
-    return std::abs(a - b) <= tolerance;
-  };
-  constexpr double kDigits_px = 1e-4;
-  return near(camera.baseline_m, 0.535, 0.01) &&
-         std::any_of(kKittiDays.begin(), kKittiDays.end(), [&](const Projection& day) {
-           return near(camera.fx, day.focal_px, kDigits_px) &&
-                  near(camera.fy, day.focal_px, kDigits_px) &&
-                  near(camera.cx, day.cx_px, kDigits_px) && near(camera.cy, day.cy_px, kDigits_px);
-         });
-}
-
-// Returns Sequence::dataset: the one that was named, else the one whose calibration the sequence
-// has. Folder names do not count. Throws Error for an unknown name.
-std::string DataSetOf(const Sequence& sequence, const std::string& named) {
-  if (named == kKittiDataSet || named == kOtherDataSet) return named;
-  if (!named.empty()) {
-    ThrowError("option --dataset",
-               Quoted(named) + DidYouMean(named, {kKittiDataSet, kOtherDataSet}),
-               StrCat(kKittiDataSet, " or ", kOtherDataSet));
-  }
-  // A rendered scene, or images of the user's own, may have been given KITTI's camera.
-  const bool made =
-      fs::exists(sequence.folder / "scene.json") || fs::exists(sequence.folder / "import.json");
-  return !made && IsKittiRig(sequence.camera) ? kKittiDataSet : kOtherDataSet;
+// Whether the folder is a recording of KITTI: a rendered scene and images of the user's own may be
+// in the same layouts.
+bool IsOfKitti(const Sequence& sequence) {
+  return sequence.type.starts_with("kitti") && !fs::exists(sequence.folder / "scene.json") &&
+         !fs::exists(sequence.folder / "import.json");
 }
 
 void RefuseSeveral(const fs::path& folder) {
@@ -137,12 +107,6 @@ std::string TypeOf(const SequenceRequest& request) {
   const fs::path& folder = request.folder;
   const std::string type = DetectSequenceType(folder);
   if (!type.empty()) return type;
-  if (IsTrackingSet(folder)) {
-    const std::vector<fs::path> sequences = TrackingSequences(folder);
-    ThrowError(folder.string(), "a folder of several KITTI tracking sequences",
-               sequences.empty() ? "one with images"
-                                 : StrCat("one of them, such as ", sequences.front().string()));
-  }
   RefuseSeveral(folder);
   const std::string found = fs::is_directory(folder) ? "a folder of no known type"
                             : fs::exists(folder)     ? "a file"
@@ -223,14 +187,6 @@ bool IsTrackingSet(const fs::path& folder) {
   return IsFolder(folder / "image_02") || IsFolder(folder / "image_03");
 }
 
-std::vector<fs::path> TrackingSequences(const fs::path& set_folder) {
-  std::vector<fs::path> sequences;
-  for (const fs::path& images : SubFolders(set_folder / "image_02")) {
-    if (IsNumber(images.filename().string())) sequences.push_back(set_folder / images.filename());
-  }
-  return sequences;
-}
-
 std::string DetectSequenceType(const fs::path& folder) {
   const SequenceLayout* layout = LayoutOf(folder);
   return layout == nullptr ? "" : layout->type;
@@ -264,10 +220,6 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   resolved.type = TypeOf(resolved);
   const SequenceLayout& layout = LayoutOfType(resolved.type);
   CheckSettings(resolved.layout, layout);
-  if (layout.only_truth != nullptr && resolved.groundtruth != "devkit") {
-    ThrowError("option --groundtruth", "\"" + resolved.groundtruth + "\"",
-               StrCat("devkit: ", layout.only_truth));
-  }
   Sequence sequence;
   sequence.folder = resolved.folder;
   sequence.name = resolved.folder.filename().string();
@@ -276,9 +228,9 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   sequence.layout = resolved.layout;
   sequence.box_sources = {resolved.labels_file, resolved.detections_file,
                           resolved.detections_camera, resolved.min_score};
-  sequence.dataset = DataSetOf(sequence, resolved.dataset);
+  sequence.dataset = IsOfKitti(sequence) ? "kitti" : "other";
   // KITTI names its odometry sequences by number only.
-  if (sequence.type == kKittiOdometry && sequence.dataset == kKittiDataSet) {
+  if (sequence.dataset == "kitti" && sequence.type == kKittiOdometry && IsNumber(sequence.name)) {
     sequence.name.insert(0, "odometry_");
   }
   sequence.camera.right_shift_px = request.right_shift_px.value_or(0.0);

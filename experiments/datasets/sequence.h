@@ -94,30 +94,17 @@ struct StereoPaths {
   std::filesystem::path right;
 };
 
-// A body whose poses are stated by the data set.
-struct BodyTrack {
-  int id = 0;      // 1, 2, ...
-  int track = -1;  // its id in the labels; -1: none
-  std::string name;
-  std::string category;
-  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();  // of its box, centred at its origin
-  std::vector<std::optional<BodyFrame>> frames;      // [frame of the folder]
-};
-
 // A pixel of the left image that is known to show a body, or the static scene (body 0).
 struct LabelledPixel {
   Eigen::Vector2d at_px;
   int body = 0;
 };
 
-// All bodies of a sequence, in the world of the camera's ground truth, and what tells which of them
-// a pixel shows: a mask, labelled pixels, or nothing. Frames are counted from the start of the
-// folder.
+// The bodies of a sequence whose poses are known, in the world of the camera's ground truth, and
+// what tells which of them a pixel shows: a mask, labelled pixels, or nothing. Frames are counted
+// from the start of the folder. Of the objects, times and poses of the camera are not set.
 struct BodyTracks {
-  reports::TruthSource truth = reports::TruthSource::kOfficial;
-  reports::Visibility visible;
-  double mover_travel_m = 0.2;
-  std::vector<BodyTrack> bodies;           // sorted by id
+  ObjectTruth objects;
   std::function<cv::Mat(int frame)> mask;  // CV_16UC1 of body ids, 0: static scene; may be empty
   std::vector<std::vector<LabelledPixel>> pixels;  // [frame]; may be empty
 };
@@ -148,7 +135,7 @@ struct Sequence {
   bool is_rate_assumed = false;             // the data set states no timestamps
 
   // Ground truth of the left camera of the pair; empty for frames without ground truth.
-  std::string groundtruth;  // "devkit", "interpolated", "official" or "none"
+  std::string groundtruth;  // "devkit", "official" or "none"
   std::vector<std::optional<RigidTransform>> groundtruth_world_from_camera;
   // The same ground truth at its own timestamps, in the clock of the images, over the whole
   // recording and in another world. Empty if the data set states it frame by frame.
@@ -185,11 +172,9 @@ bool AreFromLabels(const std::string& detections);
 // What a user requests. An empty field means that it is decided from the folder.
 struct SequenceRequest {
   std::filesystem::path folder = {};
-  std::string type = {};               // SequenceLayout::type
-  std::string dataset = {};            // "", "kitti", "other"
-  std::string pair = {};               // "", "grey", "colour"
-  std::string groundtruth = "devkit";  // KITTI raw: "devkit" or "interpolated"; others: "devkit"
-  int begin_frame = 0;                 // half-open range; end -1: to the last frame
+  std::string type = {};  // SequenceLayout::type
+  std::string pair = {};  // "", "grey", "colour"
+  int begin_frame = 0;    // half-open range; end -1: to the last frame
   int end_frame = -1;
   std::filesystem::path labels_file = {};  // replaces the folder's own file
   int labels_camera = -1;                  // -1: image_02, or in KITTI odometry the left image read
@@ -241,17 +226,15 @@ bool IsFolder(const std::filesystem::path& path);
 // Whether both folders of a pair exist.
 bool AreFolders(const std::filesystem::path& left, const std::filesystem::path& right);
 
-// IsTrackingSet tells whether a folder contains several KITTI tracking sequences; TrackingSequences
-// returns them as <folder>/<number>, sorted.
+// Whether a folder contains several KITTI tracking sequences.
 bool IsTrackingSet(const std::filesystem::path& folder);
-std::vector<std::filesystem::path> TrackingSequences(const std::filesystem::path& set_folder);
 
 // Removes ".", ".." and a trailing slash, so that the folder has a name and a parent.
 std::filesystem::path NormalFolder(const std::filesystem::path& folder);
 
 // Describes what is well-formed but implausible in the calibration, the timestamps and the true
 // poses of a sequence, one line per finding: a baseline not in metres, a gap between frames, a
-// camera or a body that jumps, a car that slips sideways. Empty if nothing is. `bodies` is null if
+// camera or a body that jumps. Empty if nothing is. `bodies` is null if
 // there is no ground truth of bodies.
 std::vector<std::string> FindImplausible(const Sequence& sequence, const ObjectTruth* bodies);
 

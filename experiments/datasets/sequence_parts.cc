@@ -107,8 +107,9 @@ RigidTransform LeftFromRectified(const Sequence& sequence) {
   return {Eigen::Matrix3d(turn.transpose()), Eigen::Vector3d::Zero()};
 }
 
-void MoveBody(const RigidTransform& first_from_world, const Sequence& sequence, BodyTrack& body) {
-  const bool by_centre = sequence.bodies->visible.by == reports::VisibleBy::kCentre;
+void MoveBody(const RigidTransform& first_from_world, const Sequence& sequence, TruthBody& body) {
+  const bool by_centre =
+      sequence.bodies->objects.contract.visible->by == reports::VisibleBy::kCentre;
   for (std::size_t i = 0; i < body.frames.size(); ++i) {
     if (!body.frames[i]) continue;
     BodyFrame& frame = *body.frames[i];
@@ -192,8 +193,8 @@ void AddTimes(const fs::path& file, std::vector<std::int64_t> times_ns, Sequence
   sequence.other_files.push_back(file);
 }
 
-void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
-                  const RigidTransform& camera0_from_imu, Sequence& sequence) {
+void AddImuTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
+                 const RigidTransform& camera0_from_imu, Sequence& sequence) {
   const RigidTransform left_from_camera0(Eigen::Quaterniond::Identity(),
                                          Eigen::Vector3d(sequence.left_offset_m, 0.0, 0.0));
   const RigidTransform left_from_imu = left_from_camera0 * camera0_from_imu;
@@ -261,7 +262,8 @@ void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left,
   }
   sequence.groundtruth = "official";
   if (!sequence.bodies) return;
-  for (BodyTrack& body : sequence.bodies->bodies) MoveBody(*first_from_world, sequence, body);
+  for (TruthBody& body : sequence.bodies->objects.bodies)
+    MoveBody(*first_from_world, sequence, body);
 }
 
 void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,

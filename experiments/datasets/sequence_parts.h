@@ -26,8 +26,6 @@ struct SequenceLayout {
   bool (*has_images)(const std::filesystem::path& folder);
   // Reads a sequence whose folder and name (that of the folder) are set.
   void (*read)(const SequenceRequest& request, Sequence& sequence);
-  // Why "devkit" is the only ground truth; null if there is a choice.
-  const char* only_truth = nullptr;
   // Every key that SequenceRequest::layout may have, with its default.
   Json settings = Json::object();
 };
@@ -65,9 +63,9 @@ void AddImages(const CameraPair& pair, const CameraRig& rig, Sequence& sequence)
 void AddTimes(const std::filesystem::path& file, std::vector<std::int64_t> times_ns,
               Sequence& sequence);
 
-// Sets the ground truth from OxTS. Pose i, empty or imu_0_from_imu_i, belongs to frame i.
-void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
-                  const RigidTransform& camera0_from_imu, Sequence& sequence);
+// Sets the ground truth from poses of the IMU, empty or imu_0_from_imu_i, one per frame.
+void AddImuTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
+                 const RigidTransform& camera0_from_imu, Sequence& sequence);
 
 // AddBoxes reads the requested boxes. CutFrames then cuts everything to the requested frames.
 struct LabelSource {

@@ -265,7 +265,7 @@ reports::TruthOfBody BodyOf(const BodyScore& score, const TruthBody& body,
   truth.name = score.name;
   truth.category = score.category;
   truth.mover = score.mover;
-  truth.diagonal_m = body.diagonal_m;
+  truth.diagonal_m = body.diagonal_m();
   truth.cluster = score.cluster;
   truth.truth = PosesOf(body, estimate_from_truth);
   truth.estimated = PositionsOf(score.errors, score.estimated_positions, estimate_from_truth);

@@ -74,9 +74,7 @@ void ReadFields(ObjectReader& object, SuiteSequence& sequence) {
   sequence.classes = ReadTextsOf(object, "classes");
   sequence.perturb = ReadObject(object, "perturb");
   if (sequence.folder.empty()) return;
-  sequence.dataset = ReadChoice(object, "dataset", {"kitti", "other"}, "");
   sequence.pair = ReadChoice(object, "pair", {"grey", "colour"}, "");
-  sequence.groundtruth = ReadChoice(object, "groundtruth", {"devkit", "interpolated"}, "devkit");
   sequence.detections_camera = object.IntegerOr("detections_camera", {0, 3}, -1);
   sequence.min_score = object.NumberOr("min_score", {-1e6, 1e6}, sequence.min_score);
   sequence.labels_file = object.TextOr("labels", "");

@@ -75,8 +75,9 @@ std::vector<Part> MakeParts() {
   const std::vector<std::string> readers = {"core/", "experiments/datasets/",
                                             "experiments/metrics/"};
   // Reads single files, independently of the sequence that they belong to.
-  parts.push_back(
-      {"experiments/datasets/formats/", {"core/", "experiments/datasets/formats/"}, {}});
+  parts.push_back({"experiments/datasets/formats/",
+                   {"core/", "experiments/datasets/calibration/", "experiments/datasets/formats/"},
+                   {}});
   for (const char* folder : {"datasets/", "metrics/", "metrics/objects/", "metrics/boxes/",
                              "datasets/import/", "datasets/scene_check/"}) {
     parts.push_back({StrCat("experiments/", folder), readers, {}});

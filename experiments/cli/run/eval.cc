@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 
 // Flags of eval trajectory and, up to `sequence`, of eval clock.
 struct TrajectoryFlags {
-  std::string groundtruth;  // a file, or which truth of a KITTI raw drive
+  std::string groundtruth;
   std::string estimate;
   bool json = false;
   SequenceFlags sequence;  // scored against its own truth; without a folder: two files
@@ -39,12 +39,6 @@ struct TrajectoryFlags {
   std::string name;
   std::string output;
   double right_shift_px = 0.0;
-
-  SequenceRequest Request() const {
-    SequenceFlags of = sequence;
-    if (!groundtruth.empty()) of.groundtruth = groundtruth;
-    return of.Request();
-  }
 };
 
 // True and estimated poses, one each per pose of the ground truth.
@@ -164,7 +158,7 @@ void PrintOutcome(const Sequence& sequence, const TrajectoryFlags& flags,
 
 int EvaluateSequence(const TrajectoryFlags& flags) {
   const std::string& estimate = flags.estimate;
-  const Sequence sequence = OpenSequence(flags.Request());
+  const Sequence sequence = OpenSequence(flags.sequence.Request());
   std::unique_ptr<const OutputFolder> output;
   if (!flags.output.empty()) {
     RefuseRunFolder(flags.output);
@@ -225,7 +219,7 @@ int EstimateClock(const TrajectoryFlags& flags) {
         EstimateClockOffset(ReadTimed(flags.groundtruth), ReadTimed(flags.estimate), flags.most_s),
         flags.json);
   }
-  const Sequence sequence = OpenSequence(flags.Request());
+  const Sequence sequence = OpenSequence(flags.sequence.Request());
   const Trajectory truth = sequence.truth_track.empty()
                                ? AtFrames(sequence.groundtruth_world_from_camera, sequence)
                                : sequence.truth_track;
@@ -237,15 +231,16 @@ int EstimateClock(const TrajectoryFlags& flags) {
 }
 
 // Flags that have a meaning only with a sequence, or only with two files.
-const std::vector<std::string> kOfSequence = {
-    "--type",          "--dataset", "--pair", "--frames", "--labels",
-    "--labels-camera", "--objects", "--name", "--output", "--right-shift"};
+const std::vector<std::string> kOfSequence = {"--type",   "--pair",          "--frames",
+                                              "--labels", "--labels-camera", "--objects",
+                                              "--name",   "--output",        "--right-shift"};
 const std::vector<std::string> kOfFiles = {"--max-time-difference"};
 
 void CheckUsage(const CLI::App& app, const TrajectoryFlags& flags) {
   if (app.count("--sequence") > 0) {
-    RefuseFlags(app, kOfFiles,
-                "applies to two files; a sequence has its own times and tolerance, 0.02 s");
+    RefuseFlags(
+        app, kOfFiles,
+        "applies to two files; a sequence has its own ground truth, times and tolerance, 0.02 s");
     return;
   }
   if (flags.groundtruth.empty()) {
@@ -256,9 +251,7 @@ void CheckUsage(const CLI::App& app, const TrajectoryFlags& flags) {
 
 void AddInputs(CLI::App& app, TrajectoryFlags& flags) {
   const FlagAdder add{app};
-  add("--groundtruth", flags.groundtruth, "FILE",
-      "trajectory file with the ground truth; with --sequence on KITTI raw: devkit or "
-      "interpolated");
+  add("--groundtruth", flags.groundtruth, "FILE", "trajectory file with the ground truth");
   add("--estimate", flags.estimate, "FILE", "trajectory file")->required();
   add("--sequence", flags.sequence.folder, "FOLDER",
       "use the ground truth of this sequence instead of a file");

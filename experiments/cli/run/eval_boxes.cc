@@ -25,7 +25,6 @@ struct BoxFlags {
   std::string category = "Car";
   std::optional<double> least_overlap;  // default: the benchmark's for the class
   std::string truncation = "applied";
-  std::string dont_care = "2d";
   bool json = false;
 };
 
@@ -76,7 +75,6 @@ std::vector<ApOfSpace> AveragePrecisions(const BoxFlags& flags,
     protocol.space = space;
     protocol.least_overlap = flags.least_overlap.value_or(flags.category == "Car" ? 0.7 : 0.5);
     protocol.truncation = *EnumOf<TruncationRule>(flags.truncation);
-    protocol.dont_care = *EnumOf<DontCareRule>(flags.dont_care);
     const auto levels = EvaluateAp(frames, protocol);
     all.push_back({protocol, {levels.begin(), levels.end()}});
   }
@@ -100,9 +98,7 @@ std::string Percent(double fraction) { return FormatFixed(100.0 * fraction, 2); 
 void Print(const std::vector<ApOfSpace>& all, std::ostream& out) {
   const ApProtocol& contract = all.front().contract;
   out << contract.category << ", IoU > " << contract.least_overlap << ", truncation limits "
-      << NameOf(contract.truncation) << ", DontCare regions in "
-      << (contract.dont_care == DontCareRule::kAll ? "2D, bird's-eye view and 3D" : "2D only")
-      << "\n\n";
+      << NameOf(contract.truncation) << ", DontCare regions in 2D only\n\n";
   TextTable table({"AP, percent", "points", "easy", "moderate", "hard"});
   for (const ApOfSpace& space : all) {
     for (const bool at_40 : {false, true}) {
@@ -203,18 +199,13 @@ Command AddEvalBoxesCommand(CLI::App& eval) {
       "tracking files that is every label with truncation 1 or 2) or ignored (no limit)")
       ->check(OneOf({"applied", "ignored"}))
       ->capture_default_str();
-  add("--dontcare", flags->dont_care, "RULE",
-      "ap: where DontCare regions excuse false positives: 2d (as in KITTI's benchmark), or all "
-      "(also bird's-eye view and 3D, judged by the image box)")
-      ->check(OneOf({"2d", "all"}))
-      ->capture_default_str();
   app->add_flag("--json", flags->json, "print JSON, with the contract");
   app->footer(
       "Example:\n"
       "  clustervo eval boxes --labels label_02/0003.txt --estimate tracks.kitti --iou 0.25");
   app->final_callback([app, flags] {
     if (flags->score == "ap") return;
-    RefuseFlags(*app, {"--iou", "--truncation", "--dontcare"}, "applies to --score ap");
+    RefuseFlags(*app, {"--iou", "--truncation"}, "applies to --score ap");
   });
   return {app, [flags] { return EvaluateBoxes(*flags); }};
 }

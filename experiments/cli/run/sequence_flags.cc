@@ -128,8 +128,6 @@ void SequenceFlags::AddLayoutTo(CLI::App& app) {
 void SequenceFlags::AddTruthTo(CLI::App& app) {
   const FlagAdder add{app};
   AddLayoutTo(app);
-  add("--dataset", dataset, "NAME",
-      "recorded data set, kitti or other; default: kitti if the calibration is KITTI's");
   add("--pair", pair, "NAME",
       "images to read, grey or colour; default: grey if present, otherwise colour");
   add("--frames", frames, "A:B", "frames A to B-1, counted from 0; default: all");
@@ -145,10 +143,6 @@ void SequenceFlags::AddTo(CLI::App& app) {
       "sequence folder of KITTI or another supported data set (see experiments/README.md), or "
       "<training>/<number> for KITTI tracking; alternatively give --left, --right and --calib");
   AddTruthTo(app);
-  add("--groundtruth", groundtruth, "NAME",
-      "KITTI raw: devkit (OxTS packets as recorded) or interpolated (OxTS interpolated to image "
-      "times)")
-      ->capture_default_str();
   add("--detections", detections_file, "FILE|labels|none",
       "source of 2D boxes: a file in KITTI format (track ids are ignored), a detector level of a "
       "synthetic scene (oracle, good, poor), the 2D boxes of the labels (labels:0-5: of the tracks "
@@ -178,9 +172,8 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
   const auto add = [&app](const char* flag, auto& value, const char* kind, const char* meaning) {
     return app.add_option(flag, value, meaning)->type_name(kind)->group("Your own stereo images");
   };
-  add("--left", stereo.left, "FOLDER|VIDEO", "images of the left camera");
-  add("--right", stereo.right, "FOLDER|VIDEO",
-      "images of the right camera, the same number as --left");
+  add("--left", stereo.left, "FOLDER", "images of the left camera");
+  add("--right", stereo.right, "FOLDER", "images of the right camera, the same number as --left");
   add("--calib", stereo.calibration, "FILE",
       "calibration file: YAML or JSON as in experiments/README.md, or the format of OpenCV, Kalibr "
       "or KITTI; unrectified images are rectified");
@@ -188,8 +181,7 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
       "file with one timestamp per line, in seconds or integer nanoseconds; default: the file "
       "names if they are nanoseconds, otherwise --rate");
   add("--rate", stereo.rate_hz, "HZ",
-      "frame rate, used if neither --times nor the file names give timestamps; default: the "
-      "video's frame rate, otherwise 10")
+      "frame rate, used if neither --times nor the file names give timestamps; default: 10")
       ->check(Within(1e-3, 1e6));
 }
 

@@ -103,22 +103,23 @@ StereoCamera CameraRig::Stereo(int left, int right, int width_px, int height_px)
   return {l.fx, l.fy, l.cx, l.cy, baseline_m, width_px, height_px};
 }
 
-Eigen::Matrix3d CheckedRotation(const Eigen::Matrix3d& R, const std::string& where) {
-  constexpr double kTolerance = 1e-3;
+Eigen::Matrix3d CheckedRotation(const Eigen::Matrix3d& R, const std::string& where,
+                                double tolerance) {
   const double defect = (R * R.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(defect <= kTolerance)) {
+  if (!(defect <= tolerance)) {
     ThrowError(where, StrCat("a matrix whose R R^T is off the identity by ", defect),
-               StrCat("a rotation, off by at most ", kTolerance));
+               StrCat("a rotation, off by at most ", tolerance));
   }
   if (R.determinant() < 0.0) ThrowError(where, "a reflection", "a rotation");
   return NearestRotation(R);
 }
 
-RigidTransform TransformFromRow(const std::vector<double>& row, const std::string& where) {
-  Require(row.size() == 12, "TransformFromRow: needs twelve numbers");
+RigidTransform TransformFromRow(const std::vector<double>& row, const std::string& where,
+                                double tolerance) {
+  Require(row.size() >= 12, "TransformFromRow: needs twelve numbers");
   Eigen::Matrix3d R;
   R << row[0], row[1], row[2], row[4], row[5], row[6], row[8], row[9], row[10];
-  return {CheckedRotation(R, where), Eigen::Vector3d(row[3], row[7], row[11])};
+  return {CheckedRotation(R, where, tolerance), Eigen::Vector3d(row[3], row[7], row[11])};
 }
 
 }  // namespace cvo

@@ -64,11 +64,13 @@ class CameraRig {
   std::array<std::optional<Projection>, 4> projections_;
 };
 
-// Returns the rotation nearest to R. Throws Error(where, ...) unless R is a rotation to within 1e-3
-// per entry of R R^T and not a reflection.
-Eigen::Matrix3d CheckedRotation(const Eigen::Matrix3d& R, const std::string& where);
+// Returns the rotation nearest to R. Throws Error(where, ...) unless R is a rotation to within
+// `tolerance` per entry of R R^T and not a reflection.
+Eigen::Matrix3d CheckedRotation(const Eigen::Matrix3d& R, const std::string& where,
+                                double tolerance = 1e-3);
 
-// Makes a transform from [R t], twelve numbers row by row. Throws Error(where, ...).
-RigidTransform TransformFromRow(const std::vector<double>& row, const std::string& where);
+// Makes a transform from [R t], at least twelve numbers row by row. Throws Error(where, ...).
+RigidTransform TransformFromRow(const std::vector<double>& row, const std::string& where,
+                                double tolerance = 1e-3);
 
 }  // namespace cvo

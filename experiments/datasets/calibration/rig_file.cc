@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 
@@ -94,7 +93,7 @@ StereoRig ReadOurs(const YamlMap& map) {
     map.AllowOnly({"left", "right", "right_from_left", "width_px", "height_px"});
     rig.left = OurCamera(map.Map("left"));
     rig.right = OurCamera(map.Map("right"));
-    rig.right_from_left = ReadTransform(map, "right_from_left");
+    rig.right_from_left = map.Transform("right_from_left");
   } else {
     map.AllowOnly({"fx", "fy", "cx", "cy", "baseline_m", "width_px", "height_px"});
     SetIntrinsics(map.Number("fx"), map.Number("fy"), map.Number("cx"), map.Number("cy"), rig.left);
@@ -136,29 +135,11 @@ StereoRig ReadPinholes(const YamlMap& left, const YamlMap& right, const char* ra
   return rig;
 }
 
-bool Says(const std::string& text, const char* side) {
-  std::string low = text;
-  std::transform(low.begin(), low.end(), low.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return low.find(side) != std::string::npos;
-}
-
-void CheckTopic(const YamlMap& camera, const char* side, const char* other) {
-  if (!camera.Has("rostopic")) return;
-  const std::string topic = camera.Text("rostopic");
-  if (Says(topic, side) || !Says(topic, other)) return;
-  camera.Fail("rostopic", Quoted(topic),
-              StrCat("the ", side, " camera: state the order of cameras"));
-}
-
 StereoRig ReadKalibr(const YamlMap& map, const std::string& left_key,
                      const std::string& right_key) {
   const YamlMap left = map.Map(left_key);
   const YamlMap right = map.Map(right_key);
-  CheckTopic(left, "left", "right");
-  CheckTopic(right, "right", "left");
-  return ReadPinholes(left, right, "radtan", "distortion_coeffs",
-                      ReadTransform(right, "T_cn_cnm1"));
+  return ReadPinholes(left, right, "radtan", "distortion_coeffs", right.Transform("T_cn_cnm1"));
 }
 
 // OpenCV's format.
@@ -318,25 +299,12 @@ void YamlMap::AllowOnly(const std::vector<std::string>& keys) const {
   }
 }
 
-// Reads a rigid transform from 12 or 16 numbers, row by row. Takes the nearest rotation, because
-// calibrations are written with few digits.
-RigidTransform ReadTransform(const YamlMap& map, const std::string& key) {
-  const std::vector<double> numbers = map.Numbers(key);
+RigidTransform YamlMap::Transform(const std::string& key) const {
+  const std::vector<double> numbers = Numbers(key);
   if (numbers.size() != 12 && numbers.size() != 16) {
-    map.Fail(key, StrCat(numbers.size(), " numbers"), "12 of [R t], or 16");
+    Fail(key, StrCat(numbers.size(), " numbers"), "12 of [R t], or 16");
   }
-  Eigen::Matrix3d rotation;
-  Eigen::Vector3d translation;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) rotation(i, j) = numbers[static_cast<std::size_t>(4 * i + j)];
-    translation[i] = numbers[static_cast<std::size_t>(4 * i + 3)];
-  }
-  constexpr double kRounding = 1e-3;
-  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > kRounding ||
-      rotation.determinant() < 0.0) {
-    map.Fail(key, "no rotation", "[R t] with R^T R = I and determinant 1");
-  }
-  return RigidTransform(NearestRotation(rotation), translation);
+  return TransformFromRow(numbers, where_ + ", " + key);
 }
 
 StereoRig ReadStereoRig(const fs::path& path) { return Checked(ReadAny(path), path); }
@@ -357,7 +325,7 @@ StereoRig ReadSensorRig(const fs::path& left, const fs::path& right) {
   const YamlMap right_map = YamlMap::Read(right);
   const StereoRig rig =
       ReadPinholes(left_map, right_map, "radial-tangential", "distortion_coefficients",
-                   ReadTransform(right_map, "T_BS").Inverse() * ReadTransform(left_map, "T_BS"));
+                   right_map.Transform("T_BS").Inverse() * left_map.Transform("T_BS"));
   return Checked(rig, right);
 }
 

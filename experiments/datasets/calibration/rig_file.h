@@ -28,6 +28,9 @@ class YamlMap {
   // it.
   std::vector<double> Numbers(const std::string& key) const;
   std::vector<double> Numbers(const std::string& key, std::size_t count) const;
+  // Returns a rigid transform from 12 or 16 numbers, row by row. Takes the nearest rotation,
+  // because calibrations are written with few digits.
+  RigidTransform Transform(const std::string& key) const;
   // Throws Error for a key of the map that is not among `keys`.
   void AllowOnly(const std::vector<std::string>& keys) const;
   [[noreturn]] void Fail(const std::string& key, const std::string& found,
@@ -52,16 +55,11 @@ class YamlMap {
 StereoRig ReadStereoRig(const std::filesystem::path& path);
 
 // Reads two cameras of a Kalibr camchain. The right one must be the next one after the left in the
-// chain, which states the pose of each camera relative to the previous one. Rostopics that contain
-// "left" or "right" must agree with the order.
+// chain, which states the pose of each camera relative to the previous one.
 StereoRig ReadKalibrRig(const std::filesystem::path& path, const std::string& left,
                         const std::string& right);
 // Reads two sensor.yaml files in EuRoC's format, each with the pose of its camera in the body frame
 // (T_BS).
 StereoRig ReadSensorRig(const std::filesystem::path& left, const std::filesystem::path& right);
-
-// Reads a rigid transform from 12 or 16 numbers, row by row. Takes the nearest rotation, because
-// calibrations are written with few digits.
-RigidTransform ReadTransform(const YamlMap& map, const std::string& key);
 
 }  // namespace cvo

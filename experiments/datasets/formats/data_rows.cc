@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/calibration/kitti_calibration.h"
 
 namespace cvo {
 namespace {
@@ -150,18 +151,9 @@ Eigen::Quaterniond DataRows::Quaternion(std::size_t row, std::size_t column, boo
 
 RigidTransform DataRows::Matrix(std::size_t row, std::size_t column) const {
   constexpr double kTolerance = 1e-2;
-  Eigen::Matrix3d rotation;
-  Eigen::Vector3d translation;
-  for (int i = 0; i < 3; ++i) {
-    const std::size_t at = column + 4 * static_cast<std::size_t>(i);
-    rotation.row(i) = Vector(row, at);
-    translation[i] = Number(row, at + 3);
-  }
-  if ((rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).norm() > kTolerance ||
-      rotation.determinant() < 0.0) {
-    Fail(row, "a matrix without a rotation", "[R t] with R^T R = I and determinant 1");
-  }
-  return {NearestRotation(rotation), translation};
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < 12; ++i) numbers.push_back(Number(row, column + i));
+  return TransformFromRow(numbers, file_.Where(rows_.at(row).line), kTolerance);
 }
 
 void DataRows::Fail(std::size_t row, const std::string& found, const std::string& expected) const {

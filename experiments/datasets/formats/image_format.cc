@@ -4,20 +4,16 @@
 
 #include <libdeflate.h>
 
-#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/files/images/image_file.h"
 #include "core/files/text_file.h"
 
 namespace cvo {
@@ -28,7 +24,9 @@ constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t kHeaderBytes = 26;
 constexpr std::uint32_t kMaxSide_px = 1 << 15;
 constexpr std::size_t kChunkOverhead = 12;  // length, type, CRC
-constexpr int kColourTypeGrey = 0;
+constexpr std::size_t kColourType = 25;     // the byte of the header that states it
+constexpr char kGrey = 0;
+constexpr char kPalette = 3;
 
 std::uint32_t Crc32(std::string_view bytes) {
   return libdeflate_crc32(0, bytes.data(), bytes.size());
@@ -72,25 +70,16 @@ cv::Size ReadPngSize(const std::filesystem::path& path) {
   return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-using Colour = std::tuple<int, int, int>;  // blue, green, red
+struct Chunk {
+  std::string_view type, data;
+};
 
-// Decoders return colours; this maps each colour to its index in the palette. The file must be
-// complete.
-std::map<Colour, int> IndexOfColour(const std::filesystem::path& path, std::string_view bytes) {
-  const std::size_t at = bytes.find("PLTE");
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-  std::map<Colour, int> index_of;
-  const std::size_t length =
-      at == std::string_view::npos ? 0 : static_cast<std::size_t>(byte(at - 2) << 8 | byte(at - 1));
-  for (std::size_t i = 0; i < length / 3; ++i) {
-    const std::size_t rgb = at + 4 + 3 * i;
-    const Colour colour = {byte(rgb + 2), byte(rgb + 1), byte(rgb)};
-    if (!index_of.emplace(colour, static_cast<int>(i)).second) {
-      ThrowError(path.string(), StrCat("the colour of index ", i, " a second time"),
-                 "a palette of different colours");
-    }
-  }
-  return index_of;
+// Returns the chunk at this byte; empty if the file ends before the chunk does.
+std::optional<Chunk> ChunkAt(std::string_view bytes, std::size_t at) {
+  if (at + kChunkOverhead > bytes.size()) return std::nullopt;
+  const std::size_t length = ReadBigEndian(bytes, at);
+  if (length > bytes.size() - at - kChunkOverhead) return std::nullopt;
+  return Chunk{bytes.substr(at + 4, 4), bytes.substr(at + 8, length)};
 }
 
 struct PngPixels {
@@ -98,11 +87,11 @@ struct PngPixels {
   std::string compressed;  // zlib data of the rows, from all IDAT chunks
 };
 
-// Returns the pixels of a PNG file of 8-bit grey without interlacing or transparency; empty for any
-// other kind.
-std::optional<PngPixels> FindGreyPixels(std::string_view bytes) {
+// Returns the pixels of a PNG file with one byte per pixel, grey values without transparency or
+// indexes into a palette, without interlacing; empty for any other kind.
+std::optional<PngPixels> FindPixels(std::string_view bytes, char colour_type) {
   constexpr std::size_t kInterlace = 28;
-  if (bytes.size() <= kInterlace || bytes[24] != 8 || bytes[25] != kColourTypeGrey ||
+  if (bytes.size() <= kInterlace || bytes[24] != 8 || bytes[kColourType] != colour_type ||
       bytes[kInterlace] != 0) {
     return std::nullopt;
   }
@@ -111,12 +100,10 @@ std::optional<PngPixels> FindGreyPixels(std::string_view bytes) {
   if (width > kMaxSide_px || height > kMaxSide_px) return std::nullopt;
   PngPixels pixels{{static_cast<int>(width), static_cast<int>(height)}, {}};
   std::size_t at = kSignature.size();
-  while (at + kChunkOverhead <= bytes.size()) {
-    const std::size_t length = ReadBigEndian(bytes, at);
-    const std::string_view type = bytes.substr(at + 4, 4);
-    if (type == "tRNS" || length > bytes.size() - at - kChunkOverhead) return std::nullopt;
-    if (type == "IDAT") pixels.compressed += bytes.substr(at + 8, length);
-    at += kChunkOverhead + length;
+  while (const auto chunk = ChunkAt(bytes, at)) {
+    if (chunk->type == "tRNS" && colour_type == kGrey) return std::nullopt;
+    if (chunk->type == "IDAT") pixels.compressed += chunk->data;
+    at += kChunkOverhead + chunk->data.size();
   }
   return pixels;
 }
@@ -186,6 +173,26 @@ std::optional<std::vector<std::uint8_t>> Inflate(const std::string& compressed, 
   return bytes;
 }
 
+// Returns an empty image for any other kind of file.
+cv::Mat DecodePng(std::string_view bytes, char colour_type) {
+  const std::optional<PngPixels> pixels = FindPixels(bytes, colour_type);
+  if (!pixels) return {};
+  const auto width = static_cast<std::size_t>(pixels->size.width);
+  const auto height = static_cast<std::size_t>(pixels->size.height);
+  const auto inflated = Inflate(pixels->compressed, (width + 1) * height);
+  if (!inflated) return {};
+  cv::Mat image(pixels->size, CV_8UC1);
+  const std::vector<std::uint8_t> nothing(width);
+  ConstRow above = nothing;
+  ConstRow rows = *inflated;
+  for (int y = 0; y < image.rows; ++y, rows = rows.subspan(width + 1)) {
+    const Row row(image.ptr<std::uint8_t>(y), width);
+    if (!Unfilter(rows[0], rows.subspan(1, width), above, row)) return {};
+    above = row;
+  }
+  return image;
+}
+
 constexpr std::string_view kStart = "\xff\xd8";
 constexpr std::string_view kEnd = "\xff\xd9";
 
@@ -223,17 +230,13 @@ std::optional<std::string> FindPngDamage(std::string_view bytes) {
   if (bytes.size() < kHeaderBytes || !bytes.starts_with(kSignature)) return DescribeNonPng(bytes);
   bool has_data = false;
   std::size_t at = kSignature.size();
-  while (at + kChunkOverhead <= bytes.size()) {
-    const std::size_t length = ReadBigEndian(bytes, at);
-    const std::string type(bytes.substr(at + 4, 4));
-    if (length > bytes.size() - at - kChunkOverhead) {
-      return StrCat("chunk ", type, " at byte ", at, " cut short");
-    }
+  while (const auto chunk = ChunkAt(bytes, at)) {
+    const std::size_t length = chunk->data.size();
     if (Crc32(bytes.substr(at + 4, length + 4)) != ReadBigEndian(bytes, at + 8 + length)) {
-      return StrCat("a wrong CRC in chunk ", type, " at byte ", at);
+      return StrCat("a wrong CRC in chunk ", chunk->type, " at byte ", at);
     }
-    if (type == "IDAT") has_data = true;
-    if (type == "IEND") {
+    if (chunk->type == "IDAT") has_data = true;
+    if (chunk->type == "IEND") {
       return has_data ? std::nullopt : std::optional<std::string>("no image data");
     }
     at += kChunkOverhead + length;
@@ -242,56 +245,23 @@ std::optional<std::string> FindPngDamage(std::string_view bytes) {
 }
 
 cv::Mat ReadPaletteIndexes(const std::filesystem::path& path, cv::Size size) {
-  constexpr std::size_t kColourType = 25;
-  constexpr int kPalette = 3;
   const std::string bytes = ReadFileBytes(path);
   if (const auto damage = FindPngDamage(bytes)) {
     ThrowError(path.string(), *damage, "a whole PNG image");
   }
-  const int type = static_cast<unsigned char>(bytes[kColourType]);
-  const cv::Mat image =
-      DecodeImage(bytes, type == kPalette ? cv::IMREAD_COLOR : cv::IMREAD_UNCHANGED);
-  const int expected = type == kPalette ? CV_8UC3 : CV_8UC1;
-  if (image.type() != expected || image.size() != size) {
+  const cv::Mat image = DecodePng(bytes, bytes[kColourType] == kPalette ? kPalette : kGrey);
+  if (image.size() != size) {
     ThrowError(path.string(),
-               StrCat("a mask of ", image.cols, "x", image.rows, " pixels and ", image.channels(),
-                      " channels"),
-               StrCat("an indexed one of ", size.width, "x", size.height));
+               image.empty() ? "a mask of another kind"
+                             : StrCat("a mask of ", image.cols, "x", image.rows, " pixels"),
+               StrCat("one of ", size.width, "x", size.height, " indexes of 8 bits"));
   }
   cv::Mat indexes;
-  if (type != kPalette) {
-    image.convertTo(indexes, CV_16UC1);
-    return indexes;
-  }
-  const std::map<Colour, int> index_of = IndexOfColour(path, bytes);
-  indexes.create(size, CV_16UC1);
-  for (int v = 0; v < size.height; ++v) {
-    for (int u = 0; u < size.width; ++u) {
-      const auto& c = image.at<cv::Vec3b>(v, u);
-      indexes.at<std::uint16_t>(v, u) = static_cast<std::uint16_t>(index_of.at({c[0], c[1], c[2]}));
-    }
-  }
+  image.convertTo(indexes, CV_16UC1);
   return indexes;
 }
 
-cv::Mat DecodeGreyPng(std::string_view bytes) {
-  const std::optional<PngPixels> pixels = FindGreyPixels(bytes);
-  if (!pixels) return {};
-  const auto width = static_cast<std::size_t>(pixels->size.width);
-  const auto height = static_cast<std::size_t>(pixels->size.height);
-  const auto inflated = Inflate(pixels->compressed, (width + 1) * height);
-  if (!inflated) return {};
-  cv::Mat image(pixels->size, CV_8UC1);
-  const std::vector<std::uint8_t> nothing(width);
-  ConstRow above = nothing;
-  ConstRow rows = *inflated;
-  for (int y = 0; y < image.rows; ++y, rows = rows.subspan(width + 1)) {
-    const Row row(image.ptr<std::uint8_t>(y), width);
-    if (!Unfilter(rows[0], rows.subspan(1, width), above, row)) return {};
-    above = row;
-  }
-  return image;
-}
+cv::Mat DecodeGreyPng(std::string_view bytes) { return DecodePng(bytes, kGrey); }
 
 bool IsJpeg(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <exception>
 
@@ -71,69 +72,22 @@ std::string FrameName(std::size_t frame) {
   return StrCat(std::string(kDigits - std::min(kDigits, digits.size()), '0'), digits, ".png");
 }
 
-// Reads pairs of images, all of the same size.
-class PairReader {
- public:
-  explicit PairReader(const StereoImport& request)
-      : request_(request), left_(OpenImages(request.left)), right_(OpenImages(request.right)) {
-    CheckPartners(left_->files(), right_->files());
-    if (left_->size() != right_->size()) {
-      ThrowError(request.right.string(), StrCat(right_->size(), " images"),
-                 StrCat(left_->size(), ", as many as in ", request.left.string()));
-    }
-  }
-
-  std::size_t size() const { return left_->size(); }
-  const ImageSource& left() const { return *left_; }
-  const ImageSource& right() const { return *right_; }
-
-  // Returns false at the end.
-  bool Next(SourceImage& left, SourceImage& right) {
-    left = left_->Next();
-    right = right_->Next();
-    if (left.size.empty() != right.size.empty()) {
-      ThrowError((left.size.empty() ? request_.left : request_.right).string(),
-                 StrCat("an end after ", read_, " images"),
-                 "as many images as of the other camera");
-    }
-    if (left.size.empty()) return false;
-    if (size_.empty()) size_ = left.size;
-    if (left.size != size_ || right.size != size_) {
-      const cv::Size found = left.size != size_ ? left.size : right.size;
-      ThrowError(
-          StrCat((left.size != size_ ? request_.left : request_.right).string(), ", image ", read_),
-          StrCat(found.width, "x", found.height, " px"),
-          StrCat(size_.width, "x", size_.height, " px, as the first image"));
-    }
-    ++read_;
-    return true;
-  }
-
- private:
-  const StereoImport& request_;
-  std::unique_ptr<ImageSource> left_;
-  std::unique_ptr<ImageSource> right_;
-  std::size_t read_ = 0;
-  cv::Size size_;
-};
-
 struct Times {
   const char* source = "";
   std::vector<std::int64_t> ns;
 };
 
-Times TimesOf(const StereoImport& request, const ImageSource& left, std::size_t count) {
+Times TimesOf(const StereoImport& request, const std::vector<fs::path>& left) {
   constexpr double kUsual_hz = 10.0;
-  Times times{"names", TimesOfNames(left.files())};
-  if (!request.times.empty()) times = {"file", ReadTimes(request.times, count)};
+  Times times{"names", TimesOfNames(left)};
+  if (!request.times.empty()) times = {"file", ReadTimes(request.times, left.size())};
   if (!times.ns.empty()) {
     if (!request.rate_hz) return times;
     ThrowError("--rate", StrCat("times in a ", request.times.empty() ? "name" : "file", " as well"),
                "one of the two");
   }
-  if (request.rate_hz) return {"rate", NominalTimes(count, *request.rate_hz)};
-  if (left.rate_hz() > 0.0) return {"video", NominalTimes(count, left.rate_hz())};
-  return {"nominal", NominalTimes(count, kUsual_hz)};
+  if (request.rate_hz) return {"rate", NominalTimes(left.size(), *request.rate_hz)};
+  return {"nominal", NominalTimes(left.size(), kUsual_hz)};
 }
 
 std::string TimesText(const Times& times) {
@@ -161,15 +115,9 @@ Json RowsOf(const Eigen::Matrix3d& matrix) {
   return rows;
 }
 
-// Records damage to an image of the current frame.
-void NoteDamage(const SourceImage& image, ImportOutcome& outcome) {
-  if (image.damage.empty()) return;
-  outcome.damaged.push_back(StrCat("frame ", outcome.frames, ": ", image.damage));
-}
-
-Json NamesOf(const ImageSource& source) {
+Json NamesOf(const std::vector<fs::path>& files) {
   Json names = Json::array();
-  for (const fs::path& file : source.files()) names.push_back(file.filename().string());
+  for (const fs::path& file : files) names.push_back(file.filename().string());
   return names;
 }
 
@@ -194,12 +142,8 @@ std::string HashFile(const fs::path& file) {
   return fs::is_regular_file(file) ? Sha256Hex(ReadFileBytes(file)) : "";
 }
 
-void AddImages(const fs::path& path, Sha256& hash) {
-  if (!fs::is_directory(path)) {
-    hash.Add(HashFile(path));
-    return;
-  }
-  for (const fs::path& file : OpenImages(path)->files()) {
+void AddImages(const fs::path& folder, Sha256& hash) {
+  for (const fs::path& file : ListImages(folder)) {
     hash.Add(file.filename().string() + "\n" + HashFile(file) + "\n");
   }
 }
@@ -225,39 +169,49 @@ bool IsWhole(const fs::path& folder) try {
 ImportOutcome ImportStereo(const StereoImport& request, const fs::path& folder,
                            const ImportProgress& progress) {
   const StereoRig rig = ReadStereoRig(request.calibration);
-  PairReader pairs(request);
-  // Detects errors in the times early. For a video this is not possible, as it may not have as many
-  // frames as it states.
-  if (!pairs.left().files().empty()) (void)TimesOf(request, pairs.left(), pairs.size());
+  const std::array<std::vector<fs::path>, 2> files = {ListImages(request.left),
+                                                      ListImages(request.right)};
+  CheckPartners(files[0], files[1]);
+  if (files[0].size() != files[1].size()) {
+    ThrowError(request.right.string(), StrCat(files[1].size(), " images"),
+               StrCat(files[0].size(), ", as many as in ", request.left.string()));
+  }
+  const Times times = TimesOf(request, files[0]);
   NewFolder target(folder);
   std::optional<Rectification> rectification;
   ImportOutcome outcome;
-  outcome.rectified = !IsRectified(rig);
-  SourceImage left;
-  SourceImage right;
-  while (pairs.Next(left, right)) {
-    if (outcome.frames == 0) {
-      CheckCameras(rig, left.size.width, left.size.height, request.calibration.string());
-      if (outcome.rectified) rectification.emplace(rig, left.size);
-      outcome.camera = rectification ? rectification->camera()
-                                     : CameraOf(rig, left.size.width, left.size.height);
-    }
-    if (rectification && left.damage.empty()) left.grey = rectification->Left(left.grey);
-    if (rectification && right.damage.empty()) right.grey = rectification->Right(right.grey);
-    NoteDamage(left, outcome);
-    NoteDamage(right, outcome);
-    target.Write("image_0/" + FrameName(outcome.frames), left);
-    target.Write("image_1/" + FrameName(outcome.frames), right);
-    progress(++outcome.frames, pairs.size());
-  }
-  const Times times = TimesOf(request, pairs.left(), outcome.frames);
   outcome.times = times.source;
+  outcome.rectified = !IsRectified(rig);
+  cv::Size size;
+  for (; outcome.frames < files[0].size(); ++outcome.frames) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const fs::path& file = files[side][outcome.frames];
+      SourceImage image = ReadSourceImage(file);
+      if (size.empty()) {
+        size = image.size;
+        CheckCameras(rig, size.width, size.height, request.calibration.string());
+        if (outcome.rectified) rectification.emplace(rig, size);
+        outcome.camera =
+            rectification ? rectification->camera() : CameraOf(rig, size.width, size.height);
+      }
+      if (image.size != size) {
+        ThrowError(file.string(), StrCat(image.size.width, "x", image.size.height, " px"),
+                   StrCat(size.width, "x", size.height, " px, as the first image"));
+      }
+      if (!image.damage.empty()) {
+        outcome.damaged.push_back(StrCat("frame ", outcome.frames, ": ", image.damage));
+      } else if (rectification) {
+        image.grey = side == 0 ? rectification->Left(image.grey) : rectification->Right(image.grey);
+      }
+      target.Write(StrCat("image_", side, "/", FrameName(outcome.frames)), image);
+    }
+    progress(outcome.frames + 1, files[0].size());
+  }
   target.Write("times.txt", TimesText(times));
   target.Write("calib.txt", CalibrationText(outcome.camera));
   Json record = Record(request, outcome, rectification);
-  // Both are in the order of the frames, and empty for a video.
-  record["left_images"] = NamesOf(pairs.left());
-  record["right_images"] = NamesOf(pairs.right());
+  record["left_images"] = NamesOf(files[0]);  // in the order of the frames
+  record["right_images"] = NamesOf(files[1]);
   record["files"] = target.files();
   target.Write(kImportRecord, DumpJson(record));
   target.Keep();

@@ -14,18 +14,18 @@ namespace cvo {
 
 // A user's own stereo images, with a calibration (rig_file.h).
 struct StereoImport {
-  std::filesystem::path left;  // a folder of images, or a video
+  std::filesystem::path left;  // a folder of images
   std::filesystem::path right;
   std::filesystem::path calibration;
   std::filesystem::path times = {};    // empty: from the images' names, else from `rate_hz`
-  std::optional<double> rate_hz = {};  // empty: the video's, else 10
+  std::optional<double> rate_hz = {};  // empty: 10
 };
 
 struct ImportOutcome {
   std::size_t frames = 0;
-  bool rectified = false;  // by the import; false: images were used as they are
-  const char* times = "";  // their source: "file", "names", "rate", "video" or "nominal"
-  StereoCamera camera;     // of the written images
+  bool rectified = false;                 // by the import; false: images were used as they are
+  const char* times = "";                 // their source: "file", "names", "rate" or "nominal"
+  StereoCamera camera;                    // of the written images
   std::vector<std::string> damaged = {};  // "frame 3: <file>: found ..., expected ..."
 };
 

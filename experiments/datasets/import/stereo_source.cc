@@ -6,8 +6,6 @@
 #include <array>
 #include <cstring>
 #include <map>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -114,68 +112,6 @@ SourceImage DamagedImage(const fs::path& file, const std::string& damage) {
   }
 }
 
-SourceImage ReadImage(const fs::path& file) {
-  const std::string bytes = ReadFileBytes(file);
-  if (const std::optional<std::string> damage = FindDamage(bytes)) {
-    return DamagedImage(file, *damage);
-  }
-  const cv::Mat grey = DecodeImage(bytes, cv::IMREAD_GRAYSCALE);
-  if (!grey.empty()) return {grey, grey.size(), ""};
-  if (IsPng(bytes) || IsJpegFile(bytes)) return DamagedImage(file, "damaged pixels");
-  ThrowError(file.string(), "no image that can be decoded", "one");
-}
-
-class ImageFolder final : public ImageSource {
- public:
-  explicit ImageFolder(const fs::path& folder) {
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-      if (entry.is_regular_file() && IsImage(entry.path())) files_.push_back(entry.path());
-    }
-    if (files_.empty()) ThrowError(folder.string(), "no image", "a folder of images");
-    SortByNumber(files_);
-  }
-
-  std::size_t size() const override { return files_.size(); }
-  std::vector<fs::path> files() const override { return files_; }
-  SourceImage Next() override {
-    return next_ == files_.size() ? SourceImage() : ReadImage(files_[next_++]);
-  }
-
- private:
-  std::vector<fs::path> files_;
-  std::size_t next_ = 0;
-};
-
-class Video final : public ImageSource {
- public:
-  explicit Video(const fs::path& file) : file_(file), video_(file.string()) {
-    if (!video_.isOpened() || size() == 0) {
-      ThrowError(file.string(), "no video that can be decoded",
-                 "a video file or a folder of images");
-    }
-  }
-
-  std::size_t size() const override {
-    return static_cast<std::size_t>(std::max(0.0, video_.get(cv::CAP_PROP_FRAME_COUNT)));
-  }
-  double rate_hz() const override { return std::max(0.0, video_.get(cv::CAP_PROP_FPS)); }
-  SourceImage Next() override {
-    cv::Mat image;
-    if (!video_.read(image)) return {};
-    SourceImage next{{}, image.size(), ""};
-    if (image.channels() == 1) {
-      next.grey = image.clone();
-    } else {
-      cv::cvtColor(image, next.grey, cv::COLOR_BGR2GRAY);
-    }
-    return next;
-  }
-
- private:
-  fs::path file_;
-  cv::VideoCapture video_;
-};
-
 }  // namespace
 
 void SortByNumber(Files& files) {
@@ -203,12 +139,29 @@ void CheckPartners(const Files& left, const Files& right) {
   CheckAllIn(of_left, right);
 }
 
-std::unique_ptr<ImageSource> OpenImages(const fs::path& path) {
-  if (fs::is_directory(path)) return std::make_unique<ImageFolder>(path);
-  if (!fs::is_regular_file(path)) {
-    ThrowError(path.string(), "no such file", "a folder of images or a video file");
+Files ListImages(const fs::path& folder) {
+  if (!fs::is_directory(folder)) {
+    ThrowError(folder.string(), fs::exists(folder) ? "a file" : "no such folder",
+               "a folder of images");
   }
-  return std::make_unique<Video>(path);
+  Files files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && IsImage(entry.path())) files.push_back(entry.path());
+  }
+  if (files.empty()) ThrowError(folder.string(), "no image", "a folder of images");
+  SortByNumber(files);
+  return files;
+}
+
+SourceImage ReadSourceImage(const fs::path& file) {
+  const std::string bytes = ReadFileBytes(file);
+  if (const std::optional<std::string> damage = FindDamage(bytes)) {
+    return DamagedImage(file, *damage);
+  }
+  const cv::Mat grey = DecodeImage(bytes, cv::IMREAD_GRAYSCALE);
+  if (!grey.empty()) return {grey, grey.size(), ""};
+  if (IsPng(bytes) || IsJpegFile(bytes)) return DamagedImage(file, "damaged pixels");
+  ThrowError(file.string(), "no image that can be decoded", "one");
 }
 
 std::vector<std::int64_t> ReadTimes(const fs::path& path, std::size_t count) {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
@@ -25,27 +24,15 @@ void CheckPartners(const std::vector<std::filesystem::path>& left,
 
 struct SourceImage {
   cv::Mat grey;        // 8 bits; empty if damaged
-  cv::Size size;       // from the header if damaged; empty at the end of the source
+  cv::Size size;       // from the header if damaged
   std::string damage;  // "<file>: found ..., expected ..."; empty if intact
 };
 
-// Images of one camera in temporal order: a folder of image files (SortByNumber), or a video.
-class ImageSource {
- public:
-  virtual ~ImageSource() = default;
+// Returns the images in a folder (SortByNumber). Throws Error if there is none.
+std::vector<std::filesystem::path> ListImages(const std::filesystem::path& folder);
 
-  // Number of images; for a video, as stated in its header.
-  virtual std::size_t size() const = 0;
-  // Returns the next image. Throws Error if not even its header can be read.
-  virtual SourceImage Next() = 0;
-  // The image files if the source is a folder, otherwise empty.
-  virtual std::vector<std::filesystem::path> files() const { return {}; }
-  // Frame rate of a video if its header states one, otherwise 0.
-  virtual double rate_hz() const { return 0.0; }
-};
-
-// Throws Error if there is no image.
-std::unique_ptr<ImageSource> OpenImages(const std::filesystem::path& path);
+// Throws Error if not even the header of the image can be read.
+SourceImage ReadSourceImage(const std::filesystem::path& file);
 
 // Reads one time per image from a file with one per line, in seconds, or in nanoseconds if it is an
 // integer above 1e12. Throws Error unless there are `count` times in strictly increasing order.

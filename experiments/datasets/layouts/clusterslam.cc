@@ -67,20 +67,14 @@ void ReadCamera(Sequence& sequence) {
   if (rows.size() != 6) {
     ThrowError(path.string(), StrCat(rows.size(), " rows"), "6, of two matrices of 3 x 4");
   }
+  // The two matrices differ in the offset of the right camera alone.
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const bool baseline = i == 3 && k == 3;
-      const bool free = baseline || (i % 3 < 2 && (k == 2 || k == i % 3));
-      const double expected = i % 3 == 2 && k == 2 ? 1.0 : 0.0;
-      if (!free && std::abs(rows.Number(i, k) - expected) > kRounding_px) {
-        rows.Fail(i, StrCat(rows.Text(i, k), " in column ", k + 1),
-                  StrCat(expected, ": a rectified pair, left camera first"));
-      }
-      if (i >= 3 && !baseline &&
-          std::abs(rows.Number(i, k) - rows.Number(i - 3, k)) > kRounding_px) {
-        rows.Fail(i, StrCat(rows.Text(i, k)),
-                  StrCat(rows.Text(i - 3, k), ", as of the left camera"));
-      }
+      const bool free = i % 3 < 2 && (k == 2 || k == i % 3);
+      const double expected = free ? rows.Number(i % 3, k) : i % 3 == 2 && k == 2 ? 1.0 : 0.0;
+      if ((i == 3 && k == 3) || std::abs(rows.Number(i, k) - expected) <= kRounding_px) continue;
+      rows.Fail(i, StrCat(rows.Text(i, k), " in column ", k + 1),
+                StrCat(expected, ": a rectified pair, left camera first"));
     }
   }
   StereoCamera& camera = sequence.camera;
@@ -96,34 +90,34 @@ void ReadCamera(Sequence& sequence) {
   sequence.other_files.push_back(path);
 }
 
-using Landmarks = std::map<std::int64_t, Eigen::Vector2d>;  // px, by id
-
-Landmarks ReadLandmarks(const fs::path& path) {
-  const DataRows rows(path, 3, "id u v");
-  Landmarks landmarks;
+// Returns value(row) of each row by the id of its landmark.
+template <typename Value>
+auto ReadById(const DataRows& rows, const Value& value) {
+  std::map<std::int64_t, decltype(value(0))> by_id;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::int64_t id = rows.Integer(i, 0);
-    if (!landmarks.emplace(id, Eigen::Vector2d(rows.Number(i, 1), rows.Number(i, 2))).second) {
+    if (!by_id.emplace(id, value(i)).second) {
       rows.Fail(i, StrCat("landmark ", id, " a second time"), "each once");
     }
   }
-  return landmarks;
+  return by_id;
+}
+
+std::map<std::int64_t, Eigen::Vector2d> ReadLandmarks(const fs::path& path) {
+  const DataRows rows(path, 3, "id u v");
+  return ReadById(
+      rows, [&](std::size_t i) { return Eigen::Vector2d(rows.Number(i, 1), rows.Number(i, 2)); });
 }
 
 std::map<std::int64_t, int> ReadMapping(const fs::path& path, std::size_t clusters) {
   const DataRows rows(path, 2, "landmark, cluster");
-  std::map<std::int64_t, int> cluster_of;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const std::int64_t id = rows.Integer(i, 0);
+  return ReadById(rows, [&](std::size_t i) {
     const std::int64_t cluster = rows.Integer(i, 1);
     if (cluster < 0 || cluster > static_cast<std::int64_t>(clusters)) {
       rows.Fail(i, StrCat("cluster ", cluster), StrCat("0 to ", clusters, ", as in pose/"));
     }
-    if (!cluster_of.emplace(id, static_cast<int>(cluster)).second) {
-      rows.Fail(i, StrCat("landmark ", id, " a second time"), "each once");
-    }
-  }
-  return cluster_of;
+    return static_cast<int>(cluster);
+  });
 }
 
 // [frame][0] is the camera, [frame][k] is cluster k.
@@ -215,8 +209,8 @@ Observations ReadObservations(const std::map<std::int64_t, int>& cluster_of, std
   for (std::size_t frame = 0; frame < sequence.images.size(); ++frame) {
     const fs::path left_file = sequence.folder / "landmarks/left" / FileOf(frame);
     const fs::path right_file = sequence.folder / "landmarks/right" / FileOf(frame);
-    const Landmarks left = ReadLandmarks(left_file);
-    const Landmarks right = ReadLandmarks(right_file);
+    const auto left = ReadLandmarks(left_file);
+    const auto right = ReadLandmarks(right_file);
     sequence.other_files.insert(sequence.other_files.end(), {left_file, right_file});
     all.pixels.emplace_back();
     all.counts.emplace_back(clusters + 1, 0);
@@ -283,20 +277,22 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
   AddBoxesOfLandmarks(observed, category, sequence);
   const Poses poses = ChoosePoses(files, observed.still, settings, sequence);
   BodyTracks tracks;
-  tracks.visible = {reports::VisibleBy::kLandmarks, 0, kMinLandmarks};
-  tracks.mover_travel_m = settings.mover_travel_m > 0.0 ? settings.mover_travel_m
-                          : street                      ? kOutdoorTravel_m
-                                                        : kIndoorTravel_m;
+  ObjectTruth& truth = tracks.objects;
+  truth.contract.truth = reports::TruthSource::kOfficial;
+  truth.contract.visible = reports::Visibility{reports::VisibleBy::kLandmarks, 0, kMinLandmarks};
+  truth.mover_travel_m = settings.mover_travel_m > 0.0 ? settings.mover_travel_m
+                         : street                      ? kOutdoorTravel_m
+                                                       : kIndoorTravel_m;
   tracks.pixels = std::move(observed.pixels);
   std::vector<std::optional<RigidTransform>> cameras;
   for (const auto& frame : poses) cameras.emplace_back(frame[0]);
   for (std::size_t k = 1; k <= clusters; ++k) {
     const int id = static_cast<int>(k);
-    BodyTrack body{id, id, StrCat("cluster ", k), category, Eigen::Vector3d::Ones(), {}};
+    TruthBody body{id, id, StrCat("cluster ", k), category, Eigen::Vector3d::Ones(), {}};
     for (std::size_t i = 0; i < poses.size(); ++i) {
       body.frames.push_back(BodyFrame{poses[i][k], observed.counts[i][k] >= kMinLandmarks});
     }
-    tracks.bodies.push_back(std::move(body));
+    truth.bodies.push_back(std::move(body));
   }
   if (clusters > 0) sequence.bodies = std::move(tracks);
   AddCameraTruth(std::move(cameras), sequence);
@@ -325,11 +321,7 @@ void ReadClusterSlam(const SequenceRequest& request, Sequence& sequence) {
 }  // namespace
 
 SequenceLayout ClusterslamLayout() {
-  return {"clusterslam",
-          KnowsClusterSlam,
-          ClusterSlamHasImages,
-          ReadClusterSlam,
-          "ClusterSLAM's data comes with one set of poses",
+  return {"clusterslam", KnowsClusterSlam, ClusterSlamHasImages, ReadClusterSlam,
           ToJson(Settings())};
 }
 

@@ -82,8 +82,7 @@ void AddTruth(const fs::path& mav, Sequence& sequence) {
   }
   const Trajectory body = ReadEurocPoses(path);
   sequence.other_files.push_back(path);
-  const RigidTransform body_from_left =
-      ReadTransform(YamlMap::Read(mav / "cam0/sensor.yaml"), "T_BS");
+  const RigidTransform body_from_left = YamlMap::Read(mav / "cam0/sensor.yaml").Transform("T_BS");
   AddCameraTruth(body, body_from_left, "it starts later or ends earlier", sequence);
 }
 
@@ -100,8 +99,6 @@ void ReadEuroc(const SequenceRequest& request, Sequence& sequence) {
 
 }  // namespace
 
-SequenceLayout EurocLayout() {
-  return {"euroc", KnowsEuroc, EurocHasImages, ReadEuroc, "EuRoC comes with one set of poses"};
-}
+SequenceLayout EurocLayout() { return {"euroc", KnowsEuroc, EurocHasImages, ReadEuroc}; }
 
 }  // namespace cvo

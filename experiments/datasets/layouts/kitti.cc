@@ -16,7 +16,6 @@
 #include <array>
 
 #include "core/base/error.h"
-#include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/images.h"
@@ -58,7 +57,7 @@ void AddOdometryTruth(Sequence& sequence) {
   }
   std::vector<std::optional<RigidTransform>> truth(poses.begin(), poses.end());
   truth.resize(frames);
-  AddOxtsTruth(truth, RigidTransform(), sequence);
+  AddImuTruth(truth, RigidTransform(), sequence);
   sequence.groundtruth = "official";
 }
 
@@ -113,7 +112,17 @@ void ReadKittiOdometry(const SequenceRequest& request, Sequence& sequence) {
            sequence);
 }
 
-using ImuTruth = std::vector<std::optional<RigidTransform>>;
+// Takes packet i as the ground truth of image i, as the devkit does.
+void AddOxtsTruth(const std::vector<OxtsPacket>& packets, const fs::path& where,
+                  const RigidTransform& camera0_from_imu, Sequence& sequence) {
+  if (packets.size() != sequence.images.size()) {
+    ThrowError(where.string(), StrCat(packets.size(), " packets"),
+               StrCat(sequence.images.size(), ", as many as images"));
+  }
+  const std::vector<RigidTransform> poses = ImuPoses(packets);
+  AddImuTruth({poses.begin(), poses.end()}, camera0_from_imu, sequence);
+  sequence.groundtruth = "devkit";
+}
 
 std::string DriveName(const fs::path& folder) {
   std::string name = folder.filename().string();
@@ -150,51 +159,9 @@ RigidTransform ReadCamera0FromImu(const fs::path& date_folder, const Calibration
   return rectification * ReadSplitTransform(velo_to_cam) * ReadSplitTransform(imu_to_velo);
 }
 
-// Takes packet i as the ground truth of image i.
-ImuTruth DevkitTruth(const std::vector<RigidTransform>& poses, const fs::path& oxts_data,
-                     const Sequence& sequence) {
-  if (poses.size() != sequence.images.size()) {
-    ThrowError(oxts_data.string(), StrCat(poses.size(), " packets"),
-               StrCat(sequence.images.size(), ", as many as images"));
-  }
-  return {poses.begin(), poses.end()};
-}
-
-ImuTruth InterpolatedTruth(const std::vector<RigidTransform>& poses, const fs::path& oxts_folder,
-                           Sequence& sequence) {
-  const fs::path times_file = oxts_folder / "timestamps.txt";
-  const std::vector<std::int64_t> times_ns = ReadDateTimes(times_file);
-  sequence.other_files.push_back(times_file);
-  if (times_ns.size() != poses.size()) {
-    ThrowError(times_file.string(), StrCat(times_ns.size(), " times"),
-               StrCat(poses.size(), ", as many as packets in ", (oxts_folder / "data").string()));
-  }
-  Trajectory packets;
-  for (std::size_t i = 0; i < poses.size(); ++i) packets.push_back({times_ns[i], poses[i]});
-  ImuTruth truth;
-  for (const std::int64_t time_ns : sequence.timestamps_ns) {
-    truth.push_back(InterpolatePose(packets, time_ns));
-  }
-  const auto outside =
-      std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !pose; });
-  if (outside > 0) {
-    sequence.missing.push_back(StrCat("oxts: no ground truth for ", outside, " of ", truth.size(),
-                                      " images, taken before the first or after the last packet"));
-  }
-  return truth;
-}
-
-void AddRawTruth(const SequenceRequest& request, const fs::path& date_folder,
-                 const CalibrationFile& cameras, Sequence& sequence) {
-  const bool interpolated = request.groundtruth == "interpolated";
-  if (!interpolated && request.groundtruth != "devkit") {
-    ThrowError(
-        "option --groundtruth",
-        Quoted(request.groundtruth) + DidYouMean(request.groundtruth, {"devkit", "interpolated"}),
-        "devkit or interpolated");
-  }
+void AddRawTruth(const fs::path& date_folder, const CalibrationFile& cameras, Sequence& sequence) {
   const fs::path oxts_folder = sequence.folder / "oxts";
-  if (!fs::exists(oxts_folder) && !interpolated) {
+  if (!fs::exists(oxts_folder)) {
     sequence.missing.emplace_back("oxts: no ground truth of the camera");
     return;
   }
@@ -203,11 +170,8 @@ void AddRawTruth(const SequenceRequest& request, const fs::path& date_folder,
     packets.push_back(ReadOxtsPacket(path));
     sequence.other_files.push_back(path);
   }
-  const std::vector<RigidTransform> poses = ImuPoses(packets);
-  const ImuTruth truth = interpolated ? InterpolatedTruth(poses, oxts_folder, sequence)
-                                      : DevkitTruth(poses, oxts_folder / "data", sequence);
-  AddOxtsTruth(truth, ReadCamera0FromImu(date_folder, cameras, sequence), sequence);
-  sequence.groundtruth = request.groundtruth;
+  AddOxtsTruth(packets, oxts_folder / "data", ReadCamera0FromImu(date_folder, cameras, sequence),
+               sequence);
 }
 
 CameraFolders RawFolders(const fs::path& folder) {
@@ -229,7 +193,7 @@ void ReadKittiRaw(const SequenceRequest& request, Sequence& sequence) {
 
   const fs::path times_file = pair.left_folder.parent_path() / "timestamps.txt";
   AddTimes(times_file, ReadDateTimes(times_file), sequence);
-  AddRawTruth(request, date_folder, cameras, sequence);
+  AddRawTruth(date_folder, cameras, sequence);
   AddBoxes(request, {.file = {}, .camera = 2}, rig, pair.left, sequence);
 }
 
@@ -252,14 +216,8 @@ void AddTrackingTruth(const fs::path& oxts_file, const CalibrationFile& calibrat
     sequence.missing.push_back(oxts_file.string() + ": no ground truth of the camera");
     return;
   }
-  const std::vector<RigidTransform> poses = ImuPoses(ReadOxtsPackets(oxts_file));
-  if (poses.size() != sequence.images.size()) {
-    ThrowError(oxts_file.string(), StrCat(poses.size(), " packets"),
-               StrCat(sequence.images.size(), ", as many as images"));
-  }
   sequence.other_files.push_back(oxts_file);
-  AddOxtsTruth({poses.begin(), poses.end()}, ReadCamera0FromImu(calibration), sequence);
-  sequence.groundtruth = "devkit";
+  AddOxtsTruth(ReadOxtsPackets(oxts_file), oxts_file, ReadCamera0FromImu(calibration), sequence);
 }
 
 // Returns the folder of the set, for <training>/<number> as well as <training>/image_02/<number>.
@@ -310,15 +268,13 @@ void ReadKittiTracking(const SequenceRequest& request, Sequence& sequence) {
 }  // namespace
 
 SequenceLayout KittiOdometryLayout() {
-  return {kKittiOdometry, KnowsOdometry, OdometryHasImages, ReadKittiOdometry,
-          "KITTI odometry comes with one set of poses"};
+  return {kKittiOdometry, KnowsOdometry, OdometryHasImages, ReadKittiOdometry};
 }
 
 SequenceLayout KittiRawLayout() { return {"kitti-raw", KnowsRaw, RawHasImages, ReadKittiRaw}; }
 
 SequenceLayout KittiTrackingLayout() {
-  return {"kitti-tracking", KnowsTracking, TrackingHasImages, ReadKittiTracking,
-          "KITTI tracking has no timestamps to interpolate at"};
+  return {"kitti-tracking", KnowsTracking, TrackingHasImages, ReadKittiTracking};
 }
 
 }  // namespace cvo

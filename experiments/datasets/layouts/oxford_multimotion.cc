@@ -163,7 +163,7 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
   const fs::path calibration =
       FindCalibration(sequence.folder, settings.vicon_calibration, "vicon");
   const RigidTransform apparatus_from_left =
-      ReadTransform(YamlMap::Read(calibration), "T_apparatus_left");
+      YamlMap::Read(calibration).Transform("T_apparatus_left");
   const std::map<std::string, Trajectory> tracks = ReadVicon(path);
   sequence.other_files.insert(sequence.other_files.end(), {path, calibration});
   std::map<std::string, BodySettings> bodies = settings.bodies;
@@ -172,8 +172,9 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
       if (name != settings.apparatus) bodies[name] = {};
     }
   }
-  BodyTracks truth;
-  truth.visible.by = reports::VisibleBy::kCentre;
+  ObjectTruth truth;
+  truth.contract.truth = reports::TruthSource::kOfficial;
+  truth.contract.visible = reports::Visibility{.by = reports::VisibleBy::kCentre};
   truth.mover_travel_m = kIndoorTravel_m;
   for (const auto& [name, body] : bodies) {
     Find(tracks, name, path);
@@ -194,7 +195,7 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
                                               : std::nullopt);
     }
   }
-  if (!bodies.empty()) sequence.bodies = std::move(truth);
+  if (!bodies.empty()) sequence.bodies = BodyTracks{std::move(truth), {}, {}};
   Trajectory apparatus = Find(tracks, settings.apparatus, path);
   for (TimedPose& pose : apparatus) pose.timestamp_ns -= offset_ns;
   AddCameraTruth(apparatus, apparatus_from_left, "Vicon starts later or ends earlier", sequence);
@@ -213,11 +214,7 @@ void ReadMultimotion(const SequenceRequest& request, Sequence& sequence) {
 }  // namespace
 
 SequenceLayout OxfordMultimotionLayout() {
-  return {"oxford-multimotion",
-          KnowsMultimotion,
-          MultimotionHasImages,
-          ReadMultimotion,
-          "Multimotion comes with one set of poses",
+  return {"oxford-multimotion", KnowsMultimotion, MultimotionHasImages, ReadMultimotion,
           ToJson(Settings())};
 }
 

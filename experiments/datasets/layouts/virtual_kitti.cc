@@ -232,10 +232,11 @@ void ReadBodies(const fs::path& text, const std::vector<RigidTransform>& left_fr
       path, 19,
       "frame, camera, track, alpha, width, height, length, place and turns y x z in "
       "world, the same in the camera");
-  BodyTracks tracks;
-  tracks.visible = {reports::VisibleBy::kMask, kMinVisible_px, 0};
-  tracks.mover_travel_m = settings.mover_travel_m;
-  std::map<int, BodyTrack> bodies;
+  ObjectTruth truth;
+  truth.contract.truth = reports::TruthSource::kOfficial;
+  truth.contract.visible = reports::Visibility{reports::VisibleBy::kMask, kMinVisible_px, 0};
+  truth.mover_travel_m = settings.mover_travel_m;
+  std::map<int, TruthBody> bodies;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Place place = PlaceOf(rows, i, sequence.images.size());
     if (place.camera != 0) continue;
@@ -244,7 +245,7 @@ void ReadBodies(const fs::path& text, const std::vector<RigidTransform>& left_fr
     if (category == categories.end()) {
       rows.Fail(i, StrCat("track ", track), "one of those in info.txt");
     }
-    BodyTrack& body = bodies[track];
+    TruthBody& body = bodies[track];
     body.id = track + 1;
     body.track = track;
     body.name = StrCat("track ", track);
@@ -262,9 +263,9 @@ void ReadBodies(const fs::path& text, const std::vector<RigidTransform>& left_fr
     body.frames[frame] = BodyFrame{ReadPose(rows, i, left_from_world[frame]) * bottom_from_centre,
                                    seen != pixels.end() && seen->second >= kMinVisible_px};
   }
-  for (auto& [track, body] : bodies) tracks.bodies.push_back(std::move(body));
+  for (auto& [track, body] : bodies) truth.bodies.push_back(std::move(body));
   sequence.other_files.insert(sequence.other_files.end(), {path, text / "info.txt"});
-  sequence.bodies = std::move(tracks);
+  sequence.bodies = BodyTracks{std::move(truth), {}, {}};
 }
 
 void AddMasks(const fs::path& folder, Sequence& sequence) {
@@ -314,11 +315,7 @@ void ReadVirtualKitti(const SequenceRequest& request, Sequence& sequence) {
 }  // namespace
 
 SequenceLayout VirtualKittiLayout() {
-  return {"virtual-kitti",
-          KnowsVirtualKitti,
-          VirtualKittiHasImages,
-          ReadVirtualKitti,
-          "Virtual KITTI has no other",
+  return {"virtual-kitti", KnowsVirtualKitti, VirtualKittiHasImages, ReadVirtualKitti,
           ToJson(Settings())};
 }
 

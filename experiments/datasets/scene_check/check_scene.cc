@@ -60,7 +60,7 @@ std::set<std::string> FilesIn(const fs::path& folder) {
 
 // Returns the check that `count` is zero, with the first of the files counted.
 SceneCheck CountOf(const std::string& name, int count, const std::string& first) {
-  return {name, static_cast<double>(count), "files", Bound::kAtMost, 0.0, first};
+  return {name, static_cast<double>(count), "files", 0.0, first};
 }
 
 // Compares every file of the folder with the manifest.
@@ -121,7 +121,7 @@ void AddGroup(const char* name, const std::function<Checks()>& group, Checks& ch
         dynamic_cast<const fs::filesystem_error*>(&error) == nullptr) {
       throw;
     }
-    checks.push_back({StrCat(name, "_unreadable"), 1, "files", Bound::kAtMost, 0, error.what()});
+    checks.push_back({StrCat(name, "_unreadable"), 1, "files", 0, error.what()});
   }
 }
 
@@ -150,7 +150,7 @@ void Worst::Add(double candidate, const std::string& place) {
 }
 
 SceneCheck Worst::AtMost(const std::string& name, const std::string& unit, double limit) const {
-  return {name, figure, unit, Bound::kAtMost, limit, figure == 0.0 ? "" : where};
+  return {name, figure, unit, limit, figure == 0.0 ? "" : where};
 }
 
 bool SceneCheckReport::Passed() const {
@@ -164,7 +164,7 @@ Json SceneCheckJson(const SceneCheckReport& report) {
     Json row = {{"name", check.name},
                 {"figure", std::isfinite(check.figure) ? Json(check.figure) : Json(nullptr)},
                 {"unit", check.unit},
-                {check.bound == Bound::kAtMost ? "at_most" : "at_least", check.limit},
+                {"at_most", check.limit},
                 {"passed", check.Passed()}};
     if (!check.where.empty()) row["worst"] = check.where;
     checks.push_back(std::move(row));

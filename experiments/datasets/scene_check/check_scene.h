@@ -10,18 +10,15 @@
 
 namespace cvo {
 
-enum class Bound { kAtMost, kAtLeast };
-
-// A measured figure of a rendered scene and its limit.
+// A measured figure of a rendered scene and the most that it may be.
 struct SceneCheck {
   std::string name;   // "disparity_offset"
   double figure = 0;  // NaN, which fails, if nothing could be measured
   std::string unit;
-  Bound bound = Bound::kAtMost;
   double limit = 0.0;
   std::string where;  // where the figure is worst; may be empty
 
-  bool Passed() const { return bound == Bound::kAtMost ? figure <= limit : figure >= limit; }
+  bool Passed() const { return figure <= limit; }
 };
 
 struct SceneCheckReport {

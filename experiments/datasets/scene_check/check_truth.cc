@@ -147,8 +147,8 @@ std::vector<SceneCheck> CheckPoses(const SceneFolder& scene, TaskPool&) {
     }
   }
   const RigidTransform& first = scene.world_from_left.front();
-  return {{"first_pose", first.Minus(RigidTransform()).norm(), "m and rad", Bound::kAtMost,
-           kBaseline_m, "frame 0: not the origin"},
+  return {{"first_pose", first.Minus(RigidTransform()).norm(), "m and rad", kBaseline_m,
+           "frame 0: not the origin"},
           position.AtMost("baseline_error", "m", kBaseline_m),
           rotation.AtMost("baseline_rotation", "rad", kBaselineRotation_rad),
           linear.AtMost("velocity_error", "of allowed", 1.0),

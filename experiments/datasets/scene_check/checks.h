@@ -74,8 +74,8 @@ struct ImageShift {
   // marginalised.
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
   double residual_sigma = 0.0;   // grey levels, robust estimate
+  double median_residual = 0.0;  // of |target(predicted) - gain source - offset|
   int pixels = 0;                // number of pixels compared
-  std::vector<float> residuals;  // |target(predicted) - gain source - offset|, ascending
 
   double MaxSigma_px() const;  // of the shift in its worst direction; infinite without texture
 };
@@ -88,9 +88,6 @@ ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
 
 // Combines the shifts of many images, weighted by their information.
 ImageShift PoolShifts(const std::vector<ImageShift>& shifts);
-
-// Estimates the standard deviation of an image's noise in grey levels, from its flattest parts.
-double EstimateNoise(const cv::Mat& image);
 
 // The groups. Each throws Error for a file that it cannot read.
 

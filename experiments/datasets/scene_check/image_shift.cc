@@ -98,10 +98,9 @@ void Step(const cv::Mat& source, const cv::Mat& target,
   fit.x += step * std::min(1.0, kLongestStep_px / std::max(length, 1e-12));
 }
 
-double SigmaOf(const std::vector<float>& residuals) {
-  std::vector<float> magnitudes = residuals;
-  for (float& value : magnitudes) value = std::abs(value);
-  return kMadToSigma * MedianOf(magnitudes);
+double SigmaOf(std::vector<float> residuals) {
+  for (float& value : residuals) value = std::abs(value);
+  return kMadToSigma * MedianOf(std::move(residuals));
 }
 
 std::vector<PixelPrediction> Usable(const cv::Mat& source, const cv::Mat& target,
@@ -139,11 +138,8 @@ ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
   Step(source, target, usable, 255.0, fit);
   fit.x.head<2>().setZero();
   for (int i = 0; i < kIterations; ++i) {
-    const double sigma = SigmaOf(fit.residuals);
-    Step(source, target, usable, std::max(kLeastCut_grey, 3.0 * sigma), fit);
-    if (i > 0) continue;
-    for (const float residual : fit.residuals) result.residuals.push_back(std::abs(residual));
-    std::sort(result.residuals.begin(), result.residuals.end());
+    Step(source, target, usable, std::max(kLeastCut_grey, 3.0 * SigmaOf(fit.residuals)), fit);
+    if (i == 0) result.median_residual = SigmaOf(fit.residuals) / kMadToSigma;
   }
   result.shift_px = fit.x.head<2>();
   result.residual_sigma = SigmaOf(fit.residuals);
@@ -171,31 +167,6 @@ ImageShift PoolShifts(const std::vector<ImageShift>& shifts) {
   }
   if (pooled.pixels > 0) pooled.residual_sigma = std::sqrt(variance / pooled.pixels);
   return pooled;
-}
-
-double EstimateNoise(const cv::Mat& image) {
-  // The difference of two Laplacians does not respond to planes, and the flattest tenth of the
-  // blocks has the least texture (Immerkaer 1996, applied to blocks).
-  constexpr int kBlock_px = 16;
-  std::vector<float> blocks;
-  for (int v0 = 1; v0 + kBlock_px < image.rows; v0 += kBlock_px) {
-    for (int u0 = 1; u0 + kBlock_px < image.cols; u0 += kBlock_px) {
-      double squares = 0.0;
-      for (int v = v0; v < v0 + kBlock_px; ++v) {
-        const unsigned char *a = image.ptr(v - 1), *b = image.ptr(v), *c = image.ptr(v + 1);
-        for (int u = u0; u < u0 + kBlock_px; ++u) {
-          const int laplacian = a[u - 1] - 2 * a[u] + a[u + 1] - 2 * b[u - 1] + 4 * b[u] -
-                                2 * b[u + 1] + c[u - 1] - 2 * c[u] + c[u + 1];
-          squares += laplacian * laplacian;
-        }
-      }
-      blocks.push_back(static_cast<float>(std::sqrt(squares / (36.0 * kBlock_px * kBlock_px))));
-    }
-  }
-  if (blocks.empty()) return 0.0;
-  const auto tenth = blocks.begin() + static_cast<std::ptrdiff_t>(blocks.size() / 10);
-  std::nth_element(blocks.begin(), tenth, blocks.end());
-  return *tenth;
 }
 
 }  // namespace cvo

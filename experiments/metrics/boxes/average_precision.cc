@@ -191,8 +191,6 @@ bool Exceeds(const ObjectBox& label, const LevelLimits& limits, TruncationRule t
 MatchedFrame::MatchedFrame(const ApFrame& frame, const ApProtocol& protocol, ApLevel level)
     : least_overlap_(protocol.least_overlap) {
   const LevelLimits limits = LimitsOf(level);
-  const bool spares =
-      protocol.space == BoxSpace::kImage || protocol.dont_care == DontCareRule::kAll;
   std::vector<const ObjectBox*> boxes;
   for (const ObjectBox& box : frame.detections) {
     // Small boxes of any class are ignored; like the devkit, this truncates their height to whole
@@ -200,7 +198,7 @@ MatchedFrame::MatchedFrame(const ApFrame& frame, const ApProtocol& protocol, ApL
     const bool small = std::trunc(std::abs(box.bottom_px - box.top_px)) < limits.least_height_px;
     if (!small && !IsOfClass(box, protocol.category)) continue;
     const bool in_dont_care =
-        spares &&
+        protocol.space == BoxSpace::kImage &&
         std::any_of(frame.labels.begin(), frame.labels.end(), [&](const ObjectBox& label) {
           return IsDontCare(label) && ShareInside(box, label) > least_overlap_;
         });

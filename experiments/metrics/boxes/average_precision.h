@@ -45,21 +45,15 @@ constexpr std::array<const char*, 3> EnumNames(ApLevel) { return {"easy", "moder
 enum class TruncationRule { kApplied, kIgnored };
 constexpr std::array<const char*, 2> EnumNames(TruncationRule) { return {"applied", "ignored"}; }
 
-// Which detections within DontCare regions do not count as false positives: only those of the 2D
-// benchmark, as in the devkit on object files, whose regions have no 3D box; or those of all three
-// benchmarks, according to their box in the image.
-enum class DontCareRule { kImageOnly, kAll };
-constexpr std::array<const char*, 2> EnumNames(DontCareRule) { return {"2d", "all"}; }
-
 // What two values of average precision must have in common to be comparable. The rules are those of
-// the KITTI object devkit (cpp/evaluate_object.cpp). The fields are the choices in which published
-// values differ.
+// the KITTI object devkit (cpp/evaluate_object.cpp), by which DontCare regions, having no 3D box,
+// excuse false positives in the image only. The fields are the choices in which published values
+// differ.
 struct ApProtocol {
   std::string category = "Car";
   BoxSpace space = BoxSpace::kImage;
   double least_overlap = 0.7;  // must be exceeded
   TruncationRule truncation = TruncationRule::kApplied;
-  DontCareRule dont_care = DontCareRule::kImageOnly;
 
   bool operator==(const ApProtocol&) const = default;
   template <typename Self, typename Archive>
@@ -68,7 +62,6 @@ struct ApProtocol {
     archive.Field("overlap", self.space);
     archive.Field("least_overlap", self.least_overlap);
     archive.Field("truncation", self.truncation);
-    archive.Field("dont_care", self.dont_care);
   }
 };
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <map>
 
 #include "core/base/error.h"
-#include "core/files/text/number.h"
 #include "experiments/datasets/formats/object_boxes.h"
+#include "experiments/datasets/images.h"
 #include "experiments/metrics/boxes/average_precision.h"
 
 namespace cvo {
@@ -33,23 +32,9 @@ std::vector<ApFrame> ReadTracking(const fs::path& label_file, const fs::path& de
   return frames;
 }
 
-// Finds the files <number>.txt by number; other files are ignored.
-std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder) {
-  std::map<std::int64_t, fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    const std::optional<std::int64_t> number = ParseInteger(entry.path().stem().string());
-    if (entry.path().extension() != ".txt" || !number || *number < 0) continue;
-    if (!files.emplace(*number, entry.path()).second) {
-      ThrowError(entry.path().string(), StrCat("a second file of image ", *number), "one");
-    }
-  }
-  return files;
-}
-
 std::vector<ApFrame> ReadObjects(const fs::path& label_folder, const fs::path& detection_folder) {
-  const auto labels = NumberedFiles(label_folder);
-  const auto detections = NumberedFiles(detection_folder);
-  if (labels.empty()) ThrowError(label_folder.string(), "no <number>.txt", "a file per image");
+  const auto labels = NumberedFiles(label_folder, {"", ".txt"});
+  const auto detections = NumberedFiles(detection_folder, {"", ".txt"});
   for (const auto& [number, file] : detections) {
     if (!labels.contains(number)) {
       ThrowError(file.string(), StrCat("detections of image ", number),

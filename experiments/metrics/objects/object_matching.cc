@@ -234,7 +234,7 @@ std::vector<std::optional<Eigen::Vector3d>> BodiesInCamera(const ObjectTruth& tr
   std::vector<std::optional<Eigen::Vector3d>> centers(truth.bodies.size());
   for (std::size_t b = 0; b < centers.size(); ++b) {
     const TruthBody& body = truth.bodies[b];
-    if (!body.frames[frame] || body.diagonal_m <= 0.0) continue;
+    if (!body.frames[frame] || body.diagonal_m() <= 0.0) continue;
     centers[b] = camera_from_world * body.frames[frame]->world_from_object.translation();
   }
   return centers;
@@ -291,7 +291,7 @@ Eigen::MatrixXd NearnessInFrame(const ObjectTruth& truth, const ObjectEstimate& 
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       if (!bodies[b]) continue;
       nearness(static_cast<Eigen::Index>(b), static_cast<Eigen::Index>(c)) =
-          std::max(0.0, 1.0 - (center - *bodies[b]).norm() / truth.bodies[b].diagonal_m);
+          std::max(0.0, 1.0 - (center - *bodies[b]).norm() / truth.bodies[b].diagonal_m());
     }
   }
   return nearness;

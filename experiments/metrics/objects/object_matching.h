@@ -21,14 +21,17 @@ struct BodyFrame {
 };
 
 struct TruthBody {
-  int id = 0;  // 1, 2, ...
+  int id = 0;      // 1, 2, ...
+  int track = -1;  // its id in the labels; -1: none
   std::string name;
   std::string category;
-  // Diagonal of the box around the body, the largest over all frames.
-  double diagonal_m = 0.0;
+  // Of the box around the body, centred at its origin; the largest over all frames.
+  Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
   std::vector<std::optional<BodyFrame>> frames;  // empty for a frame without truth
   double travel_m = 0.0;                         // FarthestApart_m of its frames
   bool mover = false;                            // travel_m > ObjectTruth::mover_travel_m
+
+  double diagonal_m() const { return size_m.norm(); }
 };
 
 // Ground truth of the bodies of a sequence. The world is that of the camera truth, the left camera

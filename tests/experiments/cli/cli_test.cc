@@ -111,7 +111,6 @@ TEST_F(Cli, SuggestsSimilarNames) {
        {{"--type", "kitti-odometri"}, "did you mean kitti-odometry"},
        {{"--detections", "lables"}, "did you mean labels?"},
        {{"--pair", "gray"}, "did you mean grey?"},
-       {{"--dataset", "kiti"}, "did you mean kitti?"},
        {{"--set", "orb.feature=5"}, "did you mean orb.features"},
        {{"--set", "orb.features=many"}, "expected an integer"},
        {{"--set", "orb.features=1"}, "orb.features"}});

@@ -329,11 +329,6 @@ struct Scene {
 
 TEST(TrueRightField, IsZeroForAnExactCalibration) { EXPECT_LT(Scene("").Field().norm(), 1e-12); }
 
-TEST(TrueRightField, ShiftOfThePrincipalPointIsTheMean) {
-  const Vector6d field_px = Scene(Scene::Error("0.2", "[0, 0, 0]", "0")).Field();
-  EXPECT_LT((field_px - 0.2 * Vector6d::Unit(0)).norm(), 1e-9);
-}
-
 TEST(TrueRightField, RollIsASlopeAlongTheColumnsAndFocalLengthOneAlongTheRows) {
   // The right camera is rolled about z (forward, y down) by a milliradian: its picture turns the
   // other way, so that points below the middle, at y = 180 px, move right by 0.18 px.

@@ -74,17 +74,15 @@ inline std::filesystem::path WriteRawDrive(const test::TempFolder& root, int fra
   root.Write(date + "calib_cam_to_cam.txt", calibration);
   root.Write(date + "calib_velo_to_cam.txt", "R: 0 -1 0 0 0 -1 1 0 0\nT: 0 0 0\n");
   root.Write(date + "calib_imu_to_velo.txt", StrCat("R: ", kIdentityRows, "\nT: 0 0 0\n"));
-  std::string times, packet_times;
+  std::string times;
   for (int i = 0; i < frames; ++i) {
     times += DateTimeRow(i);
-    packet_times += DateTimeRow(i, 5000);
     root.Write(drive + "oxts/data/" + Digits(i, 10) + ".txt", OxtsPacketText(i));
   }
   for (const char* image : {"image_00", "image_01"}) {
     WriteImages(root, drive + image + "/data", frames, 10);
     root.Write(drive + image + "/timestamps.txt", times);
   }
-  root.Write(drive + "oxts/timestamps.txt", packet_times);
   return root.path() / date / "2011_09_26_drive_0001_sync";
 }
 

@@ -78,13 +78,6 @@ TEST_F(LoadGreyTest, ColourBecomesLuma) {
   EXPECT_EQ(with_alpha.grey.at<unsigned char>(3, 3), 76);
 }
 
-TEST_F(LoadGreyTest, DetectsEveryTruncation) {
-  const std::string bytes = GreyPng();
-  for (std::size_t size = 0; size < bytes.size(); ++size) {
-    EXPECT_FALSE(Load(bytes.substr(0, size)).ok()) << size << " of " << bytes.size();
-  }
-}
-
 TEST_F(LoadGreyTest, DetectsDamageToEveryByte) {
   const std::string bytes = GreyPng();
   for (std::size_t i = 0; i < bytes.size(); ++i) {
@@ -101,7 +94,7 @@ TEST_F(LoadGreyTest, ReportsTheError) {
   ExpectProblem("\xff\xd8\xff\xe0", "a JPEG image");
   ExpectProblem(bytes.substr(0, bytes.size() - 12), "without an end");
   const std::size_t data = bytes.find("IDAT");
-  ExpectProblem(bytes.substr(0, data + 10), "chunk IDAT at byte");
+  ExpectProblem(bytes.substr(0, data + 10), "a file cut short after");
   std::string damaged = bytes;
   damaged[data + 12] = static_cast<char>(damaged[data + 12] ^ 1);
   ExpectProblem(damaged, "a wrong CRC in chunk IDAT");
@@ -117,13 +110,6 @@ TEST_F(LoadGreyTest, MissingFileIsAProblemNotAnError) {
   EXPECT_EQ(image.sha256, "");
   EXPECT_THAT(image.problem, HasSubstr("absent.png: found no such file"));
   EXPECT_FALSE(LoadGrey(folder_.path()).ok());
-}
-
-TEST(ReadImageSize, ReadsThatOfPngFiles) {
-  const test::TempFolder folder;
-  EXPECT_EQ(ReadImageSize(folder.Write("a.png", GreyPng(1242, 375))), cv::Size(1242, 375));
-  const cv::Mat colour(3, 5, CV_8UC3, cv::Scalar(1, 2, 3));
-  EXPECT_EQ(ReadImageSize(folder.Write("b.png", EncodePng(colour))), cv::Size(5, 3));
 }
 
 std::string BigEndian(std::uint32_t value) {

@@ -11,7 +11,6 @@
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/metrics/camera_metrics.h"
 #include "tests/support/real_data.h"
 
 // The readers on real KITTI data. The folder is named by the environment variable CLUSTERVO_DATA
@@ -56,11 +55,6 @@ std::size_t FramesWithTruth(const Sequence& sequence) {
       std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return pose.has_value(); }));
 }
 
-double Value(const std::vector<Metric>& metrics, const std::string& name) {
-  const Metric* metric = FindMetric(metrics, name);
-  return metric == nullptr ? -1.0 : metric->value;
-}
-
 TEST_F(KittiData, RawDriveHasItsCameraTimesAndTruth) {
   const Sequence s = OpenSequence({.folder = Drive("0001")});
   EXPECT_EQ(s.name, "2011_09_26_drive_0001");
@@ -93,25 +87,6 @@ TEST_F(KittiData, RawImagesDecode) {
     EXPECT_EQ(image.grey.size(), cv::Size(1242, 375));
     EXPECT_EQ(image.sha256.size(), 64u);
   }
-}
-
-TEST_F(KittiData, InterpolatedTruthDiffersByCentimetresAndEndsAtThePackets) {
-  const Sequence devkit = OpenSequence({.folder = Drive("0001")});
-  const Sequence moved = OpenSequence({.folder = Drive("0001"), .groundtruth = "interpolated"});
-  EXPECT_EQ(moved.groundtruth, "interpolated");
-  const std::vector<Metric> metrics =
-      EvaluateCamera(devkit.groundtruth_world_from_camera, moved.groundtruth_world_from_camera);
-  EXPECT_GT(Value(metrics, "camera_ate"), 0.005);
-  EXPECT_LT(Value(metrics, "camera_ate"), 0.06);
-  // The last image was taken 0.02 ms after the last packet.
-  EXPECT_EQ(FramesWithTruth(moved), 107u);
-  EXPECT_FALSE(moved.groundtruth_world_from_camera.back().has_value());
-  // The first image of drive 0013 was taken 1.1 ms before its first packet.
-  const Sequence both = OpenSequence({.folder = Drive("0013"), .groundtruth = "interpolated"});
-  EXPECT_EQ(FramesWithTruth(both), 70u);
-  EXPECT_FALSE(both.groundtruth_world_from_camera.front().has_value());
-  ASSERT_EQ(both.missing.size(), 1u);
-  EXPECT_THAT(both.missing[0], HasSubstr("no ground truth for 2 of 72 images"));
 }
 
 TEST_F(KittiData, TrackingLabelsAndDetectionsApplyToTheRawDrive) {
@@ -162,34 +137,18 @@ TEST_F(KittiData, OpensATrackingSequenceInColour) {
   EXPECT_EQ(same.folder, s.folder);
 }
 
-}  // namespace
-}  // namespace cvo
-
 // True bodies of drive_0013, labelled as tracking sequence 0003.
-
-namespace cvo {
-namespace {
-
-class KittiBodies : public testing::Test {
+class KittiBodies : public KittiData {
  protected:
-  void SetUp() override {
-    const auto folder = test::RealData();
-    if (!folder) GTEST_SKIP() << "CLUSTERVO_DATA does not name a folder with KITTI data";
-    data_ = *folder;
-  }
-
-  std::unique_ptr<BodyTruthReader> Read(const std::string& groundtruth) const {
+  std::unique_ptr<BodyTruthReader> Read() const {
     return ReadBodyTruth(
         OpenSequence({.folder = data_ / "kitti_raw/2011_09_26/2011_09_26_drive_0013_sync",
-                      .groundtruth = groundtruth,
                       .labels_file = data_ / "kitti_tracking/training/label_02/0003.txt"}));
   }
-
-  std::filesystem::path data_;
 };
 
 TEST_F(KittiBodies, TwoVisibleCarsMoveAndTheParkedOnesDoNot) {
-  const auto reader = Read("devkit");
+  const auto reader = Read();
   ASSERT_NE(reader, nullptr);
   std::vector<int> movers;
   for (const TruthBody& body : reader->objects().bodies) {
@@ -209,7 +168,7 @@ TEST_F(KittiBodies, TwoVisibleCarsMoveAndTheParkedOnesDoNot) {
 TEST_F(KittiBodies, BoxesAreAlignedWithImages) {
   // A point on the number plate of the first car in frame 8, 2 m closer than its centre, and a
   // point on the road beside it. An offset between boxes and images would move them off.
-  const auto reader = Read("devkit");
+  const auto reader = Read();
   const auto body = [&](double u, double v, double z) {
     const double fx = 721.5377, cx = 609.5593, cy = 172.854;
     return static_cast<int>(

@@ -68,42 +68,6 @@ TEST(Plausibility, DoesNotCompareAcrossFramesWithoutTruth) {
   EXPECT_THAT(FindImplausible(sequence, &truth), IsEmpty());
 }
 
-// Returns the findings on a car that drives 1 m per frame and in each frame turns and slips
-// sideways by these angles, in rad.
-std::vector<std::string> SaidOfCar(const std::string& dataset, const std::vector<double>& turns_rad,
-                                   const std::vector<double>& slips_rad) {
-  const RigidTransform axle_from_camera(Eigen::Quaterniond::Identity(), {0.0, 0.0, 1.7});
-  Sequence sequence;
-  sequence.dataset = dataset;
-  sequence.first_frame = 5;
-  RigidTransform world_from_axle;
-  for (std::size_t i = 0; i < turns_rad.size(); ++i) {
-    sequence.timestamps_ns.push_back(static_cast<std::int64_t>(i) * 100'000'000);
-    sequence.groundtruth_world_from_camera.push_back(world_from_axle * axle_from_camera);
-    world_from_axle =
-        world_from_axle *
-        test::Pose({0.0, turns_rad[i], 0.0}, {std::sin(slips_rad[i]), 0.0, std::cos(slips_rad[i])});
-  }
-  return FindImplausible(sequence, nullptr);
-}
-
-TEST(Plausibility, ReportsSidewaysSlipOnlyForKitti) {
-  const std::vector<double> straight(60, 0.0);
-  std::vector<double> slips(60, 0.01);  // the camera points slightly sideways
-  EXPECT_THAT(SaidOfCar("kitti", straight, slips), IsEmpty());
-  std::fill(slips.begin() + 30, slips.begin() + 40, 0.06);
-  EXPECT_THAT(SaidOfCar("kitti", straight, slips),
-              ElementsAre(AllOf(StartsWith("ground truth of the camera, frames 35 to 45: "),
-                                HasSubstr("sideways by 0.5 m in 10 m"))));
-  EXPECT_THAT(SaidOfCar("other", straight, slips), IsEmpty());
-  // When a car turns, its camera, which is in front of the rear axle, moves sideways.
-  std::vector<double> turns(60, 0.0);
-  std::fill(turns.begin() + 30, turns.begin() + 40, 0.1);
-  EXPECT_THAT(SaidOfCar("kitti", turns, straight), IsEmpty());
-  EXPECT_THAT(SaidOfCar("kitti", std::vector<double>(8, 0.0), std::vector<double>(8, 0.5)),
-              IsEmpty());  // shorter than 10 m
-}
-
 TEST(Plausibility, ReportsBaselinesInTheWrongUnit) {
   Sequence sequence;
   for (const double usual_m : {0.001, 0.54, 10.0}) {

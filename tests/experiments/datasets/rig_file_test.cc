@@ -259,7 +259,7 @@ TEST_F(RigFile, BadInput) {
   ExpectError(
       "left: {fx: 1, fy: 2, cx: 3, cy: 4}\nright: {fx: 1, fy: 2, cx: 3, cy: 4}\n"
       "right_from_left: [2, 0, 0, -0.1, 0, 1, 0, 0, 0, 0, 1, 0]\n",
-      "no rotation");
+      "right_from_left: found a matrix whose R R^T is off the identity");
 }
 
 }  // namespace

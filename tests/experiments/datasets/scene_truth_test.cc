@@ -68,13 +68,10 @@ TEST_F(SceneTruth, ReadsEveryFieldOfABody) {
   EXPECT_EQ(body.angular_velocity_in_world, Eigen::Vector3d(0, 0, 1.25));
   EXPECT_EQ(body.size_m, Eigen::Vector3d(0.7, 0.7, 0.7));
   EXPECT_EQ(body.visible_px, 12);
-  EXPECT_EQ(body.alone_px, 24);
   EXPECT_EQ(body.visible_fraction, 0.5);
-  EXPECT_EQ(body.truncation, 0.25);
-  ASSERT_TRUE(body.visible_box && body.amodal_box);
+  ASSERT_TRUE(body.visible_box);
   EXPECT_EQ(body.visible_box->right_px, 4);
-  EXPECT_EQ(body.amodal_box->bottom_px, 6);
-  EXPECT_FALSE(bodies[0][1].visible_box || bodies[0][1].amodal_box);
+  EXPECT_FALSE(bodies[0][1].visible_box);
 }
 
 TEST_F(SceneTruth, AcceptsASceneWithoutBodies) {
@@ -198,14 +195,6 @@ TEST_F(SceneSequence, OffersItsDetectionsByLevel) {
   EXPECT_THAT(sequence.other_files, testing::Contains(tiny() / "detections/good.txt"));
   EXPECT_THAT(ErrorMessage([&] { OpenSequence({.folder = tiny(), .detections_file = "best"}); }),
               HasSubstr("best: found no such file"));
-}
-
-TEST_F(SceneSequence, AnotherLabelFileTakesPrecedence) {
-  const fs::path other =
-      folder_.Write("other.txt", "0 1 Car 0 0 0 1 1 4 4 0.7 0.7 0.7 0 0.3 2 0.5\n");
-  const Sequence sequence = OpenSequence({.folder = tiny(), .labels_file = other});
-  ASSERT_EQ(sequence.labels.size(), 1U);
-  EXPECT_EQ(sequence.labels[0].type, "Car");
 }
 
 }  // namespace

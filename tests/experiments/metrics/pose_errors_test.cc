@@ -165,13 +165,6 @@ TEST(KittiDrift, TakesEightLengthsFromEveryTenthFrame) {
   EXPECT_EQ(drift->segments_without_estimate, 0);
 }
 
-TEST(KittiDrift, StraightPathHandComputed) {
-  const auto drift = ComputeKittiDrift(Path(1000, 1.0), Path(1000, 1.01));
-  double translation = 0.0;
-  for (int k = 1; k <= 8; ++k) translation += (100.0 - 10.0 * k) * (1.0 + 0.01 / k);
-  EXPECT_NEAR(drift->translation_percent, translation / 440.0, 1e-9);
-}
-
 // A sub-sequence with an estimate at only one end does not count.
 TEST(KittiDrift, IsAbsentIfNoSubSequenceHasAnEstimate) {
   OptionalPoses start = Path(111, 1.0);
@@ -219,10 +212,6 @@ TEST(EvaluateCalibration, NeesIsOneIfErrorsAreAsLargeAsClaimed) {
   EXPECT_NEAR(EvaluateCalibration(kTruth_px, estimate)[1].value, 1.0, 1e-9);
   estimate.right_field_px += sigma_px;
   EXPECT_NEAR(EvaluateCalibration(kTruth_px, estimate)[1].value, 4.0, 1e-9);
-}
-
-TEST(EvaluateCalibration, IsEmptyWithoutSelfCalibration) {
-  EXPECT_TRUE(EvaluateCalibration(kTruth_px, {}).empty());
 }
 
 }  // namespace

@@ -203,14 +203,5 @@ TEST_F(PoseFormat, IsRefusedWithTheLineIfUnknown) {
   EXPECT_THAT(Refused("# nothing\n\n"), HasSubstr("found no pose"));
 }
 
-TEST_F(PoseFormat, FindsTheLineOfAPoseByIndex) {
-  const auto path = folder_.Write("poses.txt", std::string("# times\n") + kTum + "\n  # gap\n" +
-                                                   "2.5 0 0 0 0 0 0 1\n" + "3.5 0 0 0 0 0 0 1\n");
-  EXPECT_EQ(WhereTumPose(path, 0), path.string() + ":2");
-  EXPECT_EQ(WhereTumPose(path, 1), path.string() + ":5");
-  EXPECT_EQ(WhereTumPose(path, 2), path.string() + ":6");
-  EXPECT_THAT(ErrorMessage([&] { WhereTumPose(path, 3); }), HasSubstr("no such pose"));
-}
-
 }  // namespace
 }  // namespace cvo::pose_format_test

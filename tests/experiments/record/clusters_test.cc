@@ -259,7 +259,7 @@ TEST(TruthFile, PutsTheTruthIntoTheWorldOfTheRun) {
   objects.timestamps_ns = {0, 1};
   TruthBody body;
   body.id = 2;
-  body.diagonal_m = 0.5;
+  body.size_m.x() = 0.5;
   body.frames = {std::nullopt, BodyFrame{At(5), true}};
   objects.bodies = {body};
   BodyScore score;

@@ -111,7 +111,6 @@ TEST(JobInput, AFolderIsReadAsTheSequenceSays) {
   SuiteSequence& sequence = suite.sequences.emplace_back();
   sequence.folder = "x";
   sequence.frames = "2:7";
-  sequence.groundtruth = "interpolated";
   sequence.detections = "boxes/0003.txt";
   sequence.detections_camera = 2;
   sequence.min_score = 0.25;
@@ -122,7 +121,6 @@ TEST(JobInput, AFolderIsReadAsTheSequenceSays) {
   EXPECT_EQ(request.folder, "/found/x");
   EXPECT_EQ(request.begin_frame, 2);
   EXPECT_EQ(request.end_frame, 7);
-  EXPECT_EQ(request.groundtruth, "interpolated");
   EXPECT_EQ(request.detections_file, "/data/boxes/0003.txt");
   EXPECT_EQ(request.detections_camera, 2);
   EXPECT_EQ(request.min_score, 0.25);

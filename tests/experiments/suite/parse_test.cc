@@ -37,7 +37,6 @@ std::string MessageOf(const Json& json) {
 TEST(Suite, ReadsAFile) {
   Json json = SmallSuite();
   json["sequences"].push_back({{"folder", "2011_09_26_drive_0013_sync"},
-                               {"dataset", "kitti"},
                                {"detections", "d.txt"},
                                {"detections_camera", 2},
                                {"min_score", 0.5},
@@ -48,7 +47,6 @@ TEST(Suite, ReadsAFile) {
   const Suite suite = Parse(json);
   EXPECT_EQ(suite.sequences[0].name, "tiny");
   EXPECT_EQ(suite.sequences[1].name, "2011_09_26_drive_0013");
-  EXPECT_EQ(suite.sequences[1].dataset, "kitti");
   EXPECT_EQ(suite.sequences[1].detections_camera, 2);
   EXPECT_EQ(suite.sequences[1].min_score, 0.5);
   EXPECT_THAT(suite.sequences[1].classes, ElementsAre("Car"));
@@ -176,9 +174,6 @@ TEST(Suite, AWrongValueIsNamedWithFileAndKey) {
       {"/sequences/0/detections", {{"model", "m.onnx"}}, "names"},
       {"/grid", {{"window.spatial", {4, 5}}}, "table.rows: found no \"window.spatial\""},
       {"/oracles", {Json::array(), {"boxes"}}, "table.rows: found no \"oracle\""},
-      {"/sequences/0",
-       {{"folder", "07"}, {"dataset", "kiti"}},
-       "found \"kiti\" (did you mean kitti?), expected kitti or"},
       {"/sequences/0",
        {{"folder", "07"}, {"pair", "gray"}},
        "found \"gray\" (did you mean grey?), expected grey or"},

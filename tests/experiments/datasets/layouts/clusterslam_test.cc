@@ -127,7 +127,7 @@ TEST(ClusterSlam, GivesTheSameErrorsAsOurOwnLayout) {
   // landmarks here.
   sequence.bodies->pixels.clear();
   for (std::size_t i = 0; i < 2; ++i) {
-    sequence.bodies->bodies[i].size_m = own.written().bodies[i].size_m;
+    sequence.bodies->objects.bodies[i].size_m = own.written().bodies[i].size_m;
   }
   test::ExpectSameErrors(own.Open(), sequence, false, false);
 }
@@ -198,35 +198,25 @@ TEST_F(ClusterSlamFiles, BoxesAreDerivedFromLandmarks) {
 }
 
 TEST_F(ClusterSlamFiles, BadRowsAreRefusedWithFileAndRow) {
-  const fs::path mapping = written_ / "landmark_mapping.txt";
-  test::RepeatRow(mapping, 5);
-  EXPECT_THAT(Refused(), HasSubstr("landmark_mapping.txt:6: found landmark 5 a second time"));
-  test::DropRow(mapping, 6);
-  test::ReplaceIn(mapping, "5 0", "5 3");
-  EXPECT_THAT(Refused(),
-              AllOf(HasSubstr("landmark_mapping.txt:5: found cluster 3"), HasSubstr("0 to 2")));
-  test::ReplaceIn(mapping, "5 3", "5 0");
-  test::RepeatRow(written_ / "landmarks/right/0001.txt", 2);
-  EXPECT_THAT(Refused(), HasSubstr("right/0001.txt:3: found landmark 2 a second time"));
-  test::DropRow(written_ / "landmarks/right/0001.txt", 3);
-  const fs::path pose = written_ / "pose/0002.txt";
-  const std::string text = test::ReadFile(pose);
-  test::DropRow(pose, 3);
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("pose/0002.txt: found 2 rows"), HasSubstr("expected 3")));
-  WriteFileBytes(pose, text.substr(0, text.size() - 30));
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("pose/0002.txt:3: found"), HasSubstr("columns")));
-  fs::remove(pose);
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("pose: found 2 files"), HasSubstr("as many as images")));
-}
-
-TEST_F(ClusterSlamFiles, ChecksTheCameraOrder) {
-  const fs::path matrices = written_ / "instrinsic.txt";
-  test::ReplaceIn(matrices, " -4\n", " 4\n");
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("instrinsic.txt:5: found 4"),
-                               HasSubstr("the right camera is the second")));
-  test::ReplaceIn(matrices, " 4\n", " -4\n");
-  test::ReplaceIn(matrices, "0 0 1 0", "0 0.1 1 0");
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("instrinsic.txt:3"), HasSubstr("a rectified pair")));
+  const std::string camera = "instrinsic.txt";
+  const auto expect = [&](const std::string& file, const test::Edit& edit,
+                          const std::string& says) {
+    test::ExpectRefused({.folder = written_}, written_ / file, edit, says);
+  };
+  expect("landmark_mapping.txt", test::RepeatRow(5),
+         "landmark_mapping.txt:6: found landmark 5 a second time");
+  expect("landmark_mapping.txt", test::Replace("5 0", "5 3"),
+         "landmark_mapping.txt:5: found cluster 3 | 0 to 2");
+  expect("landmarks/right/0001.txt", test::RepeatRow(2),
+         "right/0001.txt:3: found landmark 2 a second time");
+  expect("pose/0002.txt", test::DropRow(3), "pose/0002.txt: found 2 rows | expected 3");
+  expect("pose/0002.txt", test::CutEnd(30), "pose/0002.txt:3: found | columns");
+  expect(
+      "pose/0002.txt", [](const fs::path& file) { fs::remove(file); },
+      "pose: found 2 files | as many as images");
+  expect(camera, test::Replace(" -4\n", " 4\n"),
+         "instrinsic.txt:5: found 4 | the right camera is the second");
+  expect(camera, test::Replace("0 0 1 0", "0 0.1 1 0"), "instrinsic.txt:3 | a rectified pair");
 }
 
 TEST_F(ClusterSlamFiles, WithoutPosesThereIsNoTruth) {

@@ -109,8 +109,8 @@ class EurocFiles : public testing::Test {
 TEST_F(EurocFiles, RectifiesDistortedImages) {
   const RigidTransform before =
       *OpenSequence({.folder = folder_.path()}).groundtruth_world_from_camera[2];
-  test::ReplaceIn(File("cam0/sensor.yaml"), "coefficients: [0, 0, 0, 0]",
-                  "coefficients: [-0.1, 0.01, 0.0002, 0.00002]");
+  test::Replace("coefficients: [0, 0, 0, 0]",
+                "coefficients: [-0.1, 0.01, 0.0002, 0.00002]")(File("cam0/sensor.yaml"));
   const Sequence sequence = OpenSequence({.folder = folder_.path()});
   ASSERT_NE(sequence.rectification, nullptr);
   EXPECT_NEAR(sequence.camera.baseline_m, 0.1, 1e-9);
@@ -126,7 +126,7 @@ TEST_F(EurocFiles, RectifiesDistortedImages) {
 }
 
 TEST_F(EurocFiles, ImagesArePairedByTime) {
-  test::DropRow(File("cam1/data.csv"), 2);
+  test::DropRow(2)(File("cam1/data.csv"));
   const Sequence sequence = OpenSequence({.folder = folder_.path() / "mav0"});
   EXPECT_EQ(sequence.images.size(), 2U);
   EXPECT_EQ(sequence.images[0].left.filename(), sequence.images[0].right.filename());
@@ -135,7 +135,7 @@ TEST_F(EurocFiles, ImagesArePairedByTime) {
 }
 
 TEST_F(EurocFiles, FramesBeyondTheTruthHaveNoPose) {
-  test::DropRow(File("state_groundtruth_estimate0/data.csv"), 4);
+  test::DropRow(4)(File("state_groundtruth_estimate0/data.csv"));
   const Sequence sequence = OpenSequence({.folder = folder_.path()});
   EXPECT_FALSE(sequence.groundtruth_world_from_camera[2]);
   EXPECT_THAT(sequence.missing, ElementsAre(HasSubstr("1 of 3 frames")));
@@ -145,23 +145,22 @@ TEST_F(EurocFiles, FramesBeyondTheTruthHaveNoPose) {
 }
 
 TEST_F(EurocFiles, BadRowsAreRefusedWithFileAndRow) {
-  const fs::path list = File("cam0/data.csv");
-  const std::string text = test::ReadFile(list);
-  test::RepeatRow(list, 2);
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0/data.csv:3: found time 1403636580.0"),
-                               HasSubstr("of cam0, expected one after")));
-  WriteFileBytes(list, text.substr(0, text.size() - 8));
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0/data.csv:4: found no image"),
-                               HasSubstr("expected one for each row")));
-  WriteFileBytes(list, text.substr(0, text.size() - 28));
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0/data.csv:4"), HasSubstr("1 columns")));
-  WriteFileBytes(list, text);
-  const fs::path truth = File("state_groundtruth_estimate0/data.csv");
-  test::ReplaceIn(truth, "1403636580100000000,", "1403636580000000000,");
-  EXPECT_THAT(Refused(), HasSubstr("state_groundtruth_estimate0/data.csv:3: found time"));
-  test::ReplaceIn(truth, "1403636580000000000,", "1403636580000000000,x");
-  EXPECT_THAT(Refused(),
-              AllOf(HasSubstr("data.csv:2, column 2: found \"x"), HasSubstr("a number")));
+  const std::string list = "mav0/cam0/data.csv";
+  const std::string truth = "mav0/state_groundtruth_estimate0/data.csv";
+  const auto expect = [&](const std::string& file, const test::Edit& edit,
+                          const std::string& says) {
+    test::ExpectRefused({.folder = folder_.path()}, folder_.path() / file, edit, says);
+  };
+  expect(list, test::RepeatRow(2),
+         "cam0/data.csv:3: found time 1403636580.0 | of cam0, expected one after");
+  expect(list, test::CutEnd(8), "cam0/data.csv:4: found no image | expected one for each row");
+  expect(list, test::CutEnd(28), "cam0/data.csv:4 | 1 columns");
+  expect(truth, test::Replace("1403636580100000000,", "1403636580000000000,"),
+         "state_groundtruth_estimate0/data.csv:3: found time");
+  expect(truth, test::Replace("1403636580000000000,", "1403636580000000000,x"),
+         "data.csv:2, column 2: found \"x | a number");
+  expect("mav0/cam0/sensor.yaml", test::Replace("resolution: [48", "resolution: [752"),
+         "a calibration of 752x32 | 48x32 px");
 }
 
 TEST_F(EurocFiles, MismatchedImagesAndCamerasAreRefused) {
@@ -170,9 +169,6 @@ TEST_F(EurocFiles, MismatchedImagesAndCamerasAreRefused) {
   EXPECT_THAT(Refused(), AllOf(HasSubstr("50x32 pixels"), HasSubstr("48x32")));
   test::WriteImage(image, cv::Mat(32, 48, CV_8UC1, cv::Scalar(9)));
   const fs::path left = File("cam0/sensor.yaml");
-  test::ReplaceIn(left, "resolution: [48", "resolution: [752");
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("a calibration of 752x32"), HasSubstr("48x32 px")));
-  test::ReplaceIn(left, "resolution: [752", "resolution: [48");
   fs::rename(left, File("other.yaml"));
   fs::rename(File("cam1/sensor.yaml"), left);
   fs::rename(File("other.yaml"), File("cam1/sensor.yaml"));

@@ -123,10 +123,10 @@ class MultimotionFiles : public testing::Test {
 TEST_F(MultimotionFiles, TakesBodiesFromTheSettingsOrAllButTheApparatus) {
   settings_["bodies"] = {{"box2", {{"name", "bottom left"}}}};
   const Sequence named = Open();
-  ASSERT_EQ(named.bodies->bodies.size(), 1U);
-  EXPECT_EQ(named.bodies->bodies[0].name, "bottom left");
+  ASSERT_EQ(named.bodies->objects.bodies.size(), 1U);
+  EXPECT_EQ(named.bodies->objects.bodies[0].name, "bottom left");
   settings_.erase("bodies");
-  EXPECT_EQ(Open().bodies->bodies.size(), 2U);
+  EXPECT_EQ(Open().bodies->objects.bodies.size(), 2U);
   settings_["bodies"] = {{"tower", Json::object()}};
   EXPECT_THAT(Refused(), AllOf(HasSubstr("vicon.csv: found box1, box2, sensor_payload"),
                                HasSubstr("object \"tower\"")));
@@ -162,54 +162,43 @@ TEST_F(MultimotionFiles, CameraTrackMatchesVicon) {
 
 TEST_F(MultimotionFiles, BodiesAreVisibleIfTheirCentreIsInTheImage) {
   const Sequence sequence = Open();
-  EXPECT_TRUE(sequence.bodies->bodies[0].frames[0]->visible);
+  EXPECT_TRUE(sequence.bodies->objects.bodies[0].frames[0]->visible);
   WrittenScene moved = scene_;
   moved.bodies[0].world_from_object[0] = RigidTransform(Eigen::Quaterniond::Identity(), {0, 0, -2});
   WriteMultimotion(folder_, moved);
-  EXPECT_FALSE(Open().bodies->bodies[0].frames[0]->visible);
+  EXPECT_FALSE(Open().bodies->objects.bodies[0].frames[0]->visible);
 }
 
-TEST_F(MultimotionFiles, BadViconRowsAreRefusedWithTheirRow) {
-  const fs::path vicon = segment_ / "vicon.csv";
-  const std::string text = test::ReadFile(vicon);
-  test::RepeatRow(vicon, 3);
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("vicon.csv:4: found time"), HasSubstr("of box2")));
-  WriteFileBytes(vicon, text.substr(0, text.size() - 40));
-  EXPECT_THAT(Refused(),
-              AllOf(HasSubstr("vicon.csv:10: found"), HasSubstr("columns, expected 26")));
-  WriteFileBytes(vicon, text);
-  // Quaternions with w first contradict the matrices.
+TEST_F(MultimotionFiles, BadRowsAreRefusedWithFileAndRow) {
   const RigidTransform first = kViconFromWorld * scene_.bodies[0].world_from_object[0];
   const Eigen::Quaterniond q(first.rotation());
-  test::ReplaceIn(vicon, NumbersText({q.x(), q.y(), q.z(), q.w()}, ","),
-                  NumbersText({q.w(), q.x(), q.y(), q.z()}, ","));
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("vicon.csv:2: found a quaternion"), HasSubstr("x y z w")));
-}
-
-TEST_F(MultimotionFiles, BadImageRowsAreRefusedWithTheirRow) {
-  const fs::path list = segment_ / "stereo/stereo.csv";
-  const std::string text = test::ReadFile(list);
-  test::DropRow(list, 3);
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("stereo.csv:3: found frame 2"), HasSubstr("frame 1")));
-  WriteFileBytes(list, text + "3,1560510009,0\n");
-  EXPECT_THAT(Refused(),
-              AllOf(HasSubstr("stereo.csv:5: found no image"), HasSubstr("000003_left.png")));
-  WriteFileBytes(list, text);
-  test::ReplaceIn(list, "1,1560510001,100000000", "1,1560510001,000000000");
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("stereo.csv:3: found time"), HasSubstr("one after")));
-  WriteFileBytes(list, text);
-  test::WriteImage(segment_ / "stereo/000001_right.png", cv::Mat(30, 48, CV_8UC1, cv::Scalar(9)));
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("000001_right.png: found 48x30"), HasSubstr("48x32")));
-}
-
-TEST_F(MultimotionFiles, ChecksTheCameraOrder) {
-  const fs::path calibration = folder_.path() / "kalibr_2019_06_14.yaml";
-  test::ReplaceIn(calibration, "bumblebee/left", "bumblebee/right");
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("cam0, rostopic: found \"/bumblebee/right/image_raw\""),
-                               HasSubstr("the left camera")));
-  test::ReplaceIn(calibration, "bumblebee/right", "bumblebee/left");
-  test::ReplaceIn(calibration, ", -0.1]", ", 0.1]");
-  EXPECT_THAT(Refused(), HasSubstr("left and right may be swapped"));
+  const std::string list = "swinging_4/stereo/stereo.csv";
+  const std::string vicon = "swinging_4/vicon.csv";
+  const std::string calibration = "kalibr_2019_06_14.yaml";
+  const auto append = [](const fs::path& file) {
+    WriteFileBytes(file, test::ReadFile(file) + "3,1560510009,0\n");
+  };
+  const auto expect = [&](const std::string& file, const test::Edit& edit,
+                          const std::string& says) {
+    test::ExpectRefused({.folder = segment_, .layout = settings_}, folder_.path() / file, edit,
+                        says);
+  };
+  expect(vicon, test::RepeatRow(3), "vicon.csv:4: found time | of box2");
+  expect(vicon, test::CutEnd(40), "vicon.csv:10: found | columns, expected 26");
+  // Quaternions with w first contradict the matrices.
+  expect(vicon,
+         test::Replace(NumbersText({q.x(), q.y(), q.z(), q.w()}, ","),
+                       NumbersText({q.w(), q.x(), q.y(), q.z()}, ",")),
+         "vicon.csv:2: found a quaternion | x y z w");
+  expect(list, test::DropRow(3), "stereo.csv:3: found frame 2 | frame 1");
+  expect(list, append, "stereo.csv:5: found no image | 000003_left.png");
+  expect(list, test::Replace("1,1560510001,100000000", "1,1560510001,000000000"),
+         "stereo.csv:3: found time | one after");
+  expect(
+      "swinging_4/stereo/000001_right.png",
+      [](const fs::path& file) { test::WriteImage(file, cv::Mat(30, 48, CV_8UC1, cv::Scalar(9))); },
+      "000001_right.png: found 48x30 | 48x32");
+  expect(calibration, test::Replace(", -0.1]", ", 0.1]"), "left and right may be swapped");
   settings_["right"] = "cam2";
   EXPECT_THAT(Refused(), HasSubstr("a chain states each camera by the one before"));
 }

@@ -176,54 +176,40 @@ TEST_F(VirtualKittiFiles, ReportsMissingInput) {
   EXPECT_THAT(Refused(), HasSubstr("extrinsic.txt"));
 }
 
-TEST_F(VirtualKittiFiles, BadCameraRowsAreRefusedWithTheirRow) {
-  test::RepeatRow(text_ / "extrinsic.txt", 3);
-  EXPECT_THAT(Refused(), HasSubstr("extrinsic.txt:4: found frame 0, camera 1 a second time"));
-  test::DropRow(text_ / "extrinsic.txt", 4);
-  test::DropRow(text_ / "extrinsic.txt", 7);
-  EXPECT_THAT(Refused(), HasSubstr("extrinsic.txt: found no row of frame 2, camera 1"));
-  test::ReplaceIn(text_ / "intrinsic.txt", "1 0 40", "1 0 41");
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("intrinsic.txt:4: found 41"), HasSubstr("40, as in")));
-}
-
-TEST_F(VirtualKittiFiles, ChecksTheCameraOrder) {
-  std::string text = test::ReadFile(text_ / "extrinsic.txt");
-  const TextFile lines(text_ / "extrinsic.txt");
-  std::string swapped = lines.line(0) + "\n";
+// Swaps the numbers of the cameras, the second cell of each row.
+void SwapCameras(const fs::path& file) {
+  const TextFile lines(file);
+  std::string text = lines.line(0) + "\n";
   for (std::size_t i = 1; i < lines.size(); ++i) {
     std::string line = lines.line(i);
     line[2] = line[2] == '0' ? '1' : '0';
-    swapped += line + "\n";
+    text += line + "\n";
   }
-  WriteFileBytes(text_ / "extrinsic.txt", swapped);
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("extrinsic.txt:2: found camera 1 at -0.1"),
-                               HasSubstr("to the right of camera 0")));
+  WriteFileBytes(file, text);
 }
 
-TEST_F(VirtualKittiFiles, BadBodyRowsAreRefusedWithTheirRow) {
-  const fs::path pose = text_ / "pose.txt";
-  const std::string text = test::ReadFile(pose);
-  test::RepeatRow(pose, 2);
-  EXPECT_THAT(Refused(), HasSubstr("pose.txt:3: found frame 0, track 0 a second time"));
-  WriteFileBytes(pose, text.substr(0, text.size() - 60));
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("pose.txt:13: found"), HasSubstr("columns")));
-  WriteFileBytes(pose, text);
-  test::ReplaceIn(pose, "0 0 1 0.5", "0 0 7 0.5");
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("pose.txt:3: found track 7"), HasSubstr("info.txt")));
-}
-
-TEST_F(VirtualKittiFiles, PosesInWorldAndCameraMustAgree) {
-  const fs::path pose = text_ / "pose.txt";
-  const TextFile lines(pose);
+TEST_F(VirtualKittiFiles, BadRowsAreRefusedWithFileAndRow) {
+  const std::string extrinsic = "extrinsic.txt";
+  const std::string pose = "pose.txt";
   std::vector<std::string> cells;
-  std::istringstream row(lines.line(1));
+  std::istringstream row(TextFile(text_ / pose).line(1));
   for (std::string cell; row >> cell;) cells.push_back(cell);
-  const std::string text = test::ReadFile(pose);
-  test::ReplaceIn(pose, cells[13], "9" + cells[13].substr(cells[13].starts_with('-') ? 1 : 0));
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("pose.txt:2: found a place"), HasSubstr("extrinsic.txt")));
-  WriteFileBytes(pose, text);
-  test::ReplaceIn(pose, cells[16], "0.7");
-  EXPECT_THAT(Refused(), AllOf(HasSubstr("pose.txt:2: found turns"), HasSubstr("Ry Rx Rz")));
+  const std::string elsewhere = "9" + cells[13].substr(cells[13].starts_with('-') ? 1 : 0);
+  const auto expect = [&](const std::string& file, const test::Edit& edit,
+                          const std::string& says) {
+    test::ExpectRefused({.folder = images_}, text_ / file, edit, says);
+  };
+  expect(extrinsic, test::RepeatRow(3), "extrinsic.txt:4: found frame 0, camera 1 a second time");
+  expect(extrinsic, test::DropRow(7), "extrinsic.txt: found no row of frame 2, camera 1");
+  expect(extrinsic, SwapCameras,
+         "extrinsic.txt:2: found camera 1 at -0.1 | to the right of camera 0");
+  expect("intrinsic.txt", test::Replace("1 0 40", "1 0 41"),
+         "intrinsic.txt:4: found 41 | 40, as in");
+  expect(pose, test::RepeatRow(2), "pose.txt:3: found frame 0, track 0 a second time");
+  expect(pose, test::CutEnd(60), "pose.txt:13: found | columns");
+  expect(pose, test::Replace("0 0 1 0.5", "0 0 7 0.5"), "pose.txt:3: found track 7 | info.txt");
+  expect(pose, test::Replace(cells[13], elsewhere), "pose.txt:2: found a place | extrinsic.txt");
+  expect(pose, test::Replace(cells[16], "0.7"), "pose.txt:2: found turns | Ry Rx Rz");
 }
 
 TEST_F(VirtualKittiFiles, DamagedOrMissingImagesAreRefused) {

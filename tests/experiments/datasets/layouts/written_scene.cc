@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/experiments/datasets/layouts/written_scene.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
@@ -14,6 +15,7 @@
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/runner/run_job.h"
 #include "tests/experiments/datasets/scene_check/rays.h"
+#include "tests/support/error_message.h"
 #include "tests/support/image_file.h"
 
 namespace cvo::test {
@@ -160,26 +162,48 @@ void WriteImage(const fs::path& path, const cv::Mat& image) {
   WriteImageFile(path, image);
 }
 
-void ReplaceIn(const fs::path& file, const std::string& from, const std::string& to) {
-  std::string text = ReadFileBytes(file);
-  const std::size_t at = text.find(from);
-  Require(at != std::string::npos, "ReplaceIn: not in the file");
-  WriteFileBytes(file, text.replace(at, from.size(), to));
+Edit Replace(const std::string& from, const std::string& to) {
+  return [=](const fs::path& file) {
+    std::string text = ReadFileBytes(file);
+    const std::size_t at = text.find(from);
+    Require(at != std::string::npos, "Replace: not in the file");
+    WriteFileBytes(file, text.replace(at, from.size(), to));
+  };
 }
 
-void DropRow(const fs::path& file, std::size_t row) {
-  const TextFile lines(file);
-  std::string text;
-  for (std::size_t i = 0; i < lines.size(); ++i) text += i + 1 == row ? "" : lines.line(i) + "\n";
-  WriteFileBytes(file, text);
+namespace {
+
+Edit WithRow(std::size_t row, int times) {
+  return [=](const fs::path& file) {
+    const TextFile lines(file);
+    std::string text;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (int k = 0; k < (i + 1 == row ? times : 1); ++k) text += lines.line(i) + "\n";
+    }
+    WriteFileBytes(file, text);
+  };
 }
 
-void RepeatRow(const fs::path& file, std::size_t row) {
-  const TextFile lines(file);
-  std::string text;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    text += lines.line(i) + "\n";
-    if (i + 1 == row) text += lines.line(i) + "\n";
+}  // namespace
+
+Edit DropRow(std::size_t row) { return WithRow(row, 0); }
+Edit RepeatRow(std::size_t row) { return WithRow(row, 2); }
+
+Edit CutEnd(std::size_t bytes) {
+  return [=](const fs::path& file) {
+    const std::string text = ReadFileBytes(file);
+    WriteFileBytes(file, text.substr(0, text.size() - bytes));
+  };
+}
+
+void ExpectRefused(const SequenceRequest& request, const fs::path& file, const Edit& edit,
+                   const std::string& says) {
+  const std::string text = ReadFileBytes(file);
+  edit(file);
+  const std::string error = ErrorMessage([&] { OpenSequence(request); });
+  for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 3) {
+    end = says.find(" | ", begin);
+    EXPECT_THAT(error, testing::HasSubstr(says.substr(begin, end - begin)));
   }
   WriteFileBytes(file, text);
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
@@ -60,11 +61,18 @@ std::string NumbersText(const std::vector<double>& numbers, const char* separato
 
 void WriteImage(const std::filesystem::path& path, const cv::Mat& image);
 
-// Replaces the first occurrence of `from` in a file. Throws Error if there is none.
-void ReplaceIn(const std::filesystem::path& file, const std::string& from, const std::string& to);
-// Removes, or duplicates in place, the row `row` of a file, counted from 1.
-void DropRow(const std::filesystem::path& file, std::size_t row);
-void RepeatRow(const std::filesystem::path& file, std::size_t row);
+// Edits of a file: `from` becomes `to` where it is first (Error if it is nowhere), row `row`,
+// counted from 1, is removed or stands twice, or the last `bytes` are missing.
+using Edit = std::function<void(const std::filesystem::path& file)>;
+Edit Replace(const std::string& from, const std::string& to);
+Edit DropRow(std::size_t row);
+Edit RepeatRow(std::size_t row);
+Edit CutEnd(std::size_t bytes);
+
+// Edits the file, opens the sequence, expects an error with each part of "<part> | <part>", and
+// mends the file.
+void ExpectRefused(const SequenceRequest& request, const std::filesystem::path& file,
+                   const Edit& edit, const std::string& says);
 
 // Expects the same camera, images, camera poses, and timestamps up to a constant offset, and bodies
 // with the same poses and visibility in every frame. The object frame of a body may differ by a

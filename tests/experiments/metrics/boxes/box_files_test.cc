@@ -60,7 +60,7 @@ TEST_F(ApFiles, BadInput) {
   ExpectError("labels", "short", "000004.txt:1: found 3 columns");
   folder_.Write("one/1.txt", std::string(kObject) + "\n");
   folder_.Write("one/01.txt", std::string(kObject) + "\n");
-  ExpectError("one", "one", "found a second file of image 1");
+  ExpectError("one", "one", "found number 1 a second time");
   folder_.Write("two/1.txt", std::string(kObject) + " 1\n");
   folder_.Write("two/2.txt", std::string(kObject) + "\n");
   ExpectError("two", "two", "found scores of 1 of 2 detections");

@@ -15,8 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 TEST(ObjectMetrics, MissingFramesLowerCoverageAndSuccessButNotTheAte) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   ObjectEstimate estimate = PerfectEstimate(truth);
   estimate.clusters[0].frames.erase(estimate.clusters[0].frames.begin() + 1);
   const auto metrics = Evaluate(truth, estimate);
@@ -28,8 +27,7 @@ TEST(ObjectMetrics, MissingFramesLowerCoverageAndSuccessButNotTheAte) {
 }
 
 TEST(ObjectMetrics, OneFrameErrorsSkipGaps) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   ObjectEstimate estimate = OffBy(truth, {0.0, 0.0, 0.5, 0.5});
   EXPECT_GT(Value(Evaluate(truth, estimate), "object_motion_t"), 0.1);
   estimate.clusters[0].frames.erase(estimate.clusters[0].frames.begin() + 2);
@@ -39,8 +37,7 @@ TEST(ObjectMetrics, OneFrameErrorsSkipGaps) {
 }
 
 TEST(ObjectMetrics, AnEstimateNeedsThreeObservedLandmarks) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   ObjectEstimate estimate = OffBy(truth, {0.0, 0.0, 0.0, 0.3});
   estimate.clusters[0].frames[3].observed_landmarks = 2;
   auto metrics = Evaluate(truth, estimate);
@@ -56,8 +53,7 @@ TEST(ObjectMetrics, AnEstimateNeedsThreeObservedLandmarks) {
 }
 
 TEST(ObjectMetrics, PredictionsAreScoredSeparatelyEvenIfTheBodyIsHidden) {
-  ObjectTruth truth = TruthOf(5);
-  AddBody(truth, Line(5));
+  ObjectTruth truth = OneMover(5);
   truth.bodies[0].frames[2]->visible = false;
   truth.bodies[0].frames[3]->visible = false;
   ObjectEstimate estimate = OffBy(truth, {0.0, 0.0, 0.03, 0.4, 0.0});
@@ -71,18 +67,8 @@ TEST(ObjectMetrics, PredictionsAreScoredSeparatelyEvenIfTheBodyIsHidden) {
   EXPECT_EQ(Value(metrics, "object_predicted_success_5cm"), 0.5);
 }
 
-TEST(ObjectMetrics, HiddenFramesAreNotScored) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
-  truth.bodies[0].frames[3]->visible = false;
-  const auto metrics = Evaluate(truth, OffBy(truth, {0.0, 0.0, 0.0, 9.0}));
-  EXPECT_NEAR(Value(metrics, "object_ate"), 0.0, 1e-12);
-  EXPECT_EQ(Value(metrics, "object_success_5cm"), 1.0);
-}
-
 TEST(ObjectMetrics, StandingBodiesAreScoredSeparatelyFromMovers) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   AddBody(truth, {At(0, 5), At(0.1, 5), At(0.2, 5), At(0.1, 5)});  // travel 0.2 m: not a mover
   ObjectEstimate estimate = PerfectEstimate(truth);
   for (std::size_t k = 0; k < 4; ++k) {
@@ -99,27 +85,8 @@ TEST(ObjectMetrics, StandingBodiesAreScoredSeparatelyFromMovers) {
   EXPECT_EQ(contract.travel_m, 0.2);
 }
 
-TEST(ObjectMetrics, UnmatchedBodiesAreCountedAndMissAllTheirFrames) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
-  AddBody(truth, Line(4, 3.0));
-  ObjectEstimate estimate = PerfectEstimate(truth);
-  estimate.clusters.pop_back();
-  const ObjectScores scores = ScoreObjects(truth, estimate);
-  ASSERT_EQ(scores.bodies.size(), 2u);
-  EXPECT_EQ(scores.bodies[0].cluster, 1);
-  EXPECT_EQ(scores.bodies[1].cluster, -1);
-  EXPECT_FALSE(scores.bodies[1].ate_m.has_value());
-  const auto metrics = ObjectMetrics(truth, scores);
-  EXPECT_EQ(Value(metrics, "object_unmatched"), 1.0);
-  EXPECT_EQ(Value(metrics, "object_coverage"), 0.5);
-  EXPECT_EQ(Value(metrics, "object_success_20cm"), 0.5);
-  EXPECT_EQ(Count(metrics, "object_ate"), 1);
-}
-
 TEST(ObjectMetrics, ClustersWithoutABodyAreCounted) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   ObjectEstimate estimate = PerfectEstimate(truth);
   ClusterEstimate ghost = estimate.clusters[0];
   ghost.id = 7;
@@ -134,8 +101,7 @@ TEST(ObjectMetrics, ClustersWithoutABodyAreCounted) {
 }
 
 TEST(ObjectMetrics, BodiesThatAreNeverVisibleAreIgnored) {
-  ObjectTruth truth = TruthOf(3);
-  AddBody(truth, Line(3));
+  ObjectTruth truth = OneMover(3);
   const ObjectEstimate estimate = PerfectEstimate(truth);
   for (auto& frame : truth.bodies[0].frames) frame->visible = false;
   EXPECT_THAT(ScoreObjects(truth, estimate).bodies, IsEmpty());
@@ -166,13 +132,7 @@ TEST(ObjectMetrics, HaveACompleteContract) {
   estimate.clusters[0].frames[3].predicted = true;
   const auto metrics = Evaluate(truth, estimate);
   EXPECT_EQ(metrics.size(), 17u + 12u + 4u + 17u + 1u);
-  for (const Metric& metric : metrics) {
-    EXPECT_GT(metric.n, 0) << metric.name;
-    const reports::Contract& c = metric.contract;
-    EXPECT_TRUE(c.subject && c.truth && c.alignment && c.pairing && c.delta && c.aggregation)
-        << metric.name;
-    EXPECT_FALSE(metric.left_out.empty()) << metric.name;
-  }
+  ExpectContracts(metrics);
   EXPECT_EQ(FindMetric(metrics, "object_motion_t")->contract.frames, (reports::FrameSpan{10, 17}));
 }
 

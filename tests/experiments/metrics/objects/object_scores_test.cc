@@ -19,8 +19,7 @@ using namespace test;  // NOLINT
 using testing::HasSubstr;
 
 TEST(ObjectScores, DescribeTheBody) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   truth.bodies[0].frames[2]->visible = false;
   ObjectEstimate estimate = PerfectEstimate(truth);
   estimate.differentiated = true;
@@ -43,8 +42,7 @@ TEST(ObjectScores, DescribeTheBody) {
 // With any object frame of the cluster, estimated and predicted positions are those of the body's
 // origin.
 TEST(ObjectScores, PositionsAreOfTheBodysOrigin) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   ObjectEstimate estimate =
       Restate(PerfectEstimate(truth), At(9, 8, 7), {Pose({0.3, -1.0, 2.0}, {0.5, 0.2, -0.1})});
   estimate.clusters[0].frames[3].predicted = true;
@@ -73,21 +71,8 @@ TEST(ObjectScores, EachBodyHasItsOwnCluster) {
   EXPECT_EQ(scores.unmatched_clusters, 0);
 }
 
-TEST(ObjectScores, APredictedOnlyClusterEstimatesNothing) {
-  ObjectTruth truth = TruthOf(3);
-  AddBody(truth, Line(3));
-  ObjectEstimate estimate = PerfectEstimate(truth);
-  for (ClusterFrame& frame : estimate.clusters[0].frames) frame.predicted = true;
-  const ObjectScores scores = ScoreObjects(truth, estimate);
-  EXPECT_EQ(scores.bodies.at(0).cluster, 1);
-  EXPECT_EQ(scores.bodies[0].estimated_frames, 0);
-  EXPECT_FALSE(scores.bodies[0].ate_m || scores.bodies[0].predicted_ate_m);
-  EXPECT_EQ(scores.clusters, 0);
-}
-
 TEST(ObjectScores, UnknownVelocitiesAreLeftOut) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   ObjectEstimate estimate = PerfectEstimate(truth);
   estimate.clusters[0].frames[0].velocity_m_s.reset();
   estimate.clusters[0].frames[1].velocity_m_s->x() += 3.0;

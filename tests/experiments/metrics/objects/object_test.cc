@@ -82,8 +82,7 @@ TEST(ObjectMetrics, MotionErrorEqualsItsDefinition) {
 }
 
 TEST(ObjectMetrics, HandComputed) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   // The mean offset is 0.07 m, which leaves errors of 0.07, 0.07, 0.03 and 0.11 m.
   const auto metrics = Evaluate(truth, OffBy(truth, {0.0, 0.0, 0.1, 0.18}));
   EXPECT_NEAR(Value(metrics, "object_ate"), std::sqrt((0.0049 * 2 + 0.0009 + 0.0121) / 4.0), 1e-12);
@@ -114,8 +113,7 @@ TEST(ObjectMetrics, TheWorldIsAlignedByTheCameraAlone) {
 }
 
 TEST(ObjectMetrics, ErrorsInCameraExcludeThoseOfTheCameraAndItsTruth) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
+  ObjectTruth truth = OneMover(4);
   ObjectEstimate estimate = PerfectEstimate(truth);
   // The true camera drifts, and the bodies that it observed drift with it, as labels do.
   for (int k = 0; k < 4; ++k) {

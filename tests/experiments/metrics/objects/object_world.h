@@ -4,6 +4,8 @@
 
 // Small ground truths and estimates of them for the tests of the object metrics.
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -56,6 +58,13 @@ inline std::vector<RigidTransform> Line(int frames, double y = 0.0) {
   for (int k = 0; k < frames; ++k) poses.push_back(At(k, y));
   return poses;
 }
+// One body that moves along x, in `frames` frames.
+inline ObjectTruth OneMover(int frames) {
+  ObjectTruth truth = TruthOf(frames);
+  AddBody(truth, Line(frames));
+  return truth;
+}
+
 inline std::vector<RigidTransform> RandomWalk(Rng& rng, int frames) {
   std::vector<RigidTransform> poses = {Pose(RandomVector(rng, 1.0), RandomVector(rng, 3.0))};
   while (static_cast<int>(poses.size()) < frames) {
@@ -162,6 +171,17 @@ inline double Value(const std::vector<Metric>& metrics, const std::string& name)
 inline std::int64_t Count(const std::vector<Metric>& metrics, const std::string& name) {
   const Metric* metric = FindMetric(metrics, name);
   return metric == nullptr ? -1 : metric->n;
+}
+
+// Expects that every metric says what it measures, of how many, and what it leaves out.
+inline void ExpectContracts(const std::vector<Metric>& metrics) {
+  for (const Metric& metric : metrics) {
+    EXPECT_GT(metric.n, 0) << metric.name;
+    const reports::Contract& c = metric.contract;
+    EXPECT_TRUE(c.subject && c.truth && c.alignment && c.pairing && c.delta && c.aggregation)
+        << metric.name;
+    EXPECT_FALSE(metric.left_out.empty()) << metric.name;
+  }
 }
 
 }  // namespace cvo::test
