@@ -16,7 +16,6 @@
 #include "reports/gate/check_runs.h"
 #include "reports/runs/run_comparison.h"
 #include "reports/tables/make_table.h"
-#include "reports/tables/table_texts.h"
 
 namespace cvo {
 namespace {
