@@ -8,7 +8,6 @@
 #include <cmath>
 #include <ctime>
 #include <fstream>
-#include <map>
 #include <numeric>
 #include <string_view>
 #include <system_error>

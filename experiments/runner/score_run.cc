@@ -4,7 +4,6 @@
 #include <iterator>
 #include <map>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "experiments/datasets/body_truth.h"

@@ -4,17 +4,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/files/json/json.h"
-#include "core/record/run_summary.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/objects/object_matching.h"
 #include "experiments/metrics/objects/object_scores.h"
 #include "experiments/metrics/pose_errors.h"
-#include "experiments/runner/identity.h"
 
 namespace cvo {
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/suite/collection.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 

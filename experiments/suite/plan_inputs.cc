@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"

@@ -9,7 +9,6 @@
 #include <set>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"

@@ -12,7 +12,6 @@
 #include "core/interface/options.h"
 #include "core/record/suite_runs.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/runner/given.h"
 #include "experiments/runner/system_run.h"
 
 namespace cvo {

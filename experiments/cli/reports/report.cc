@@ -8,7 +8,6 @@
 #include "core/files/atomic_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
-#include "reports/figures/figure_style.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/picture_files.h"
 #include "reports/page/page.h"

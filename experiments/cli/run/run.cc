@@ -2,15 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/run/run.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <ostream>

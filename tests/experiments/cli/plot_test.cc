@@ -10,7 +10,6 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
-#include "core/files/text/number.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/reports/results/result_files.h"

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <iostream>
 
-#include "core/base/error.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/temp_folder.h"
 

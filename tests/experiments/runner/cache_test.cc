@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "core/base/error.h"
 #include "core/files/text_file.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/run_job.h"

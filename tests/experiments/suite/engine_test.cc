@@ -12,7 +12,6 @@
 #include <csignal>
 #include <fstream>
 #include <map>
-#include <optional>
 
 #include "core/base/error.h"
 #include "experiments/suite/job_status.h"

@@ -6,12 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <thread>
 
 #include "core/base/error.h"
 #include "experiments/suite/engine.h"
