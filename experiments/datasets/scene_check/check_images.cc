@@ -55,32 +55,6 @@ double DisparityAt(const StereoCamera& camera, const cv::Mat& depth, int u, int 
   return camera.fx * camera.baseline_m / depth.at<float>(v, u);
 }
 
-// Returns the largest disparity that lands on each column of the right image's row.
-std::vector<double> NearestInRow(const StereoCamera& camera, const cv::Mat& depth, int v) {
-  std::vector<double> nearest(static_cast<std::size_t>(depth.cols), 0.0);
-  for (int u = 0; u < depth.cols; ++u) {
-    if (!(depth.at<float>(v, u) > 0.0F)) continue;
-    const double disparity_px = DisparityAt(camera, depth, u, v);
-    const int column = static_cast<int>(std::floor(u - disparity_px));
-    for (const int c : {column, column + 1}) {
-      if (c < 0 || c >= depth.cols) continue;
-      double& value = nearest[static_cast<std::size_t>(c)];
-      value = std::max(value, disparity_px);
-    }
-  }
-  return nearest;
-}
-
-bool IsSeenAt(const std::vector<double>& nearest, double column, double disparity_px) {
-  constexpr double kMargin_px = 1.0;
-  const int first = static_cast<int>(std::floor(column)) - 1;
-  for (int c = first; c < first + 4; ++c) {
-    if (c < 0 || c >= static_cast<int>(nearest.size())) continue;
-    if (nearest[static_cast<std::size_t>(c)] > disparity_px + kMargin_px) return false;
-  }
-  return true;
-}
-
 // Whether (u, v) and its eight neighbours show one smooth surface of one body.
 bool IsSmooth(const StereoCamera& camera, const Surface& surface, int u, int v) {
   if (u < 1 || v < 1 || u + 1 >= surface.depth.cols || v + 1 >= surface.depth.rows) return false;
@@ -98,18 +72,16 @@ bool IsSmooth(const StereoCamera& camera, const Surface& surface, int u, int v) 
 }
 
 // Predicts the positions in the right image of pixels of the left one, taking every `step`-th pixel
-// of every `step`-th row. Leaves out pixels at depth edges and those hidden from the right camera.
+// of every `step`-th row. Leaves out pixels at depth edges; those that the right camera cannot see
+// differ in grey level and drop out of the estimate.
 std::vector<PixelPrediction> PredictRight(const StereoCamera& camera, const Surface& surface,
                                           int step) {
   std::vector<PixelPrediction> predictions;
   for (int v = 1; v < surface.depth.rows; v += step) {
-    const std::vector<double> nearest = NearestInRow(camera, surface.depth, v);
     for (int u = 1; u < surface.depth.cols; u += step) {
-      if (!(surface.depth.at<float>(v, u) > 0.0F)) continue;
-      const double disparity_px = DisparityAt(camera, surface.depth, u, v);
-      if (!IsSeenAt(nearest, u - disparity_px, disparity_px)) continue;
-      if (!IsSmooth(camera, surface, u, v)) continue;
-      predictions.push_back({u, v, u - disparity_px, static_cast<double>(v)});
+      if (!(surface.depth.at<float>(v, u) > 0.0F) || !IsSmooth(camera, surface, u, v)) continue;
+      predictions.push_back(
+          {u, v, u - DisparityAt(camera, surface.depth, u, v), static_cast<double>(v)});
     }
   }
   return predictions;

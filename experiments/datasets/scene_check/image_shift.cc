@@ -64,7 +64,6 @@ bool Inside(const cv::Mat& image, double u, double v) {
 struct Fit {
   Eigen::Vector4d x = Eigen::Vector4d::Zero();
   Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
-  double sigma = 0.0;
   std::vector<float> residuals;  // signed, at x before the last step
 };
 
@@ -76,7 +75,7 @@ void Step(const cv::Mat& source, const cv::Mat& target,
   Eigen::Vector4d b = Eigen::Vector4d::Zero();
   for (const PixelPrediction& p : predictions) {
     const double u = p.target_u + fit.x[0], v = p.target_v + fit.x[1];
-    if (!Inside(target, u, v)) continue;
+    if (!Inside(source, p.u, p.v) || !Inside(target, u, v)) continue;
     const Sample sample = SampleAt(target, u, v);
     const double value = source.at<unsigned char>(p.v, p.u);
     const double residual = sample.value - (1.0 + fit.x[2]) * value - fit.x[3];
@@ -103,15 +102,6 @@ double SigmaOf(std::vector<float> residuals) {
   return kMadToSigma * MedianOf(std::move(residuals));
 }
 
-std::vector<PixelPrediction> Usable(const cv::Mat& source, const cv::Mat& target,
-                                    const std::vector<PixelPrediction>& predictions) {
-  std::vector<PixelPrediction> usable;
-  for (const PixelPrediction& p : predictions) {
-    if (Inside(source, p.u, p.v) && Inside(target, p.target_u, p.target_v)) usable.push_back(p);
-  }
-  return usable;
-}
-
 }  // namespace
 
 float MedianOf(std::vector<float> values) {
@@ -130,17 +120,16 @@ ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
                          const std::vector<PixelPrediction>& predictions) {
   constexpr int kIterations = 6;
   constexpr double kLeastCut_grey = 3.0;
-  const std::vector<PixelPrediction> usable = Usable(source, target, predictions);
   ImageShift result;
-  result.pixels = static_cast<int>(usable.size());
   Fit fit;
   // The first step only determines gain, offset and the size of the residuals.
-  Step(source, target, usable, 255.0, fit);
+  Step(source, target, predictions, 255.0, fit);
   fit.x.head<2>().setZero();
   for (int i = 0; i < kIterations; ++i) {
-    Step(source, target, usable, std::max(kLeastCut_grey, 3.0 * SigmaOf(fit.residuals)), fit);
+    Step(source, target, predictions, std::max(kLeastCut_grey, 3.0 * SigmaOf(fit.residuals)), fit);
     if (i == 0) result.median_residual = SigmaOf(fit.residuals) / kMadToSigma;
   }
+  result.pixels = static_cast<int>(fit.residuals.size());
   result.shift_px = fit.x.head<2>();
   result.residual_sigma = SigmaOf(fit.residuals);
   const Eigen::Matrix2d rest = fit.H.bottomRightCorner<2, 2>();

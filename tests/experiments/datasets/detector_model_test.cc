@@ -99,17 +99,6 @@ TEST(NetworkOutput, LayoutFromSizes) {
   EXPECT_FALSE(LayoutOf({1, 41, 7}, kInput));
 }
 
-TEST(NetworkOutput, Darknet) {
-  cv::Mat output = Zeros({2, 7});
-  const float row[7] = {0.5F, 0.25F, 0.25F, 0.5F, 0.9F, 0.1F, 0.8F};
-  std::copy(row, row + 7, output.ptr<float>(1));
-  const auto boxes = DecodeOutput(output, OutputLayout::kDarknet, kInput, 2, 0.3);
-  ASSERT_EQ(boxes.size(), 1U);
-  EXPECT_EQ(boxes[0].category, 1);
-  EXPECT_FLOAT_EQ(static_cast<float>(boxes[0].score), 0.8F);  // already includes the 0.9
-  ExpectBox(boxes[0].box, {24, 0, 40, 16});
-}
-
 // Cell 9 is the second cell in the second row of the first level, cell 33 the second cell of the
 // second level.
 TEST(NetworkOutput, YoloxCells) {
@@ -142,10 +131,6 @@ TEST(NetworkOutput, Yolov5AndYolov8) {
     EXPECT_NEAR(boxes[0].score, 0.45, 1e-6);
     ExpectBox(boxes[0].box, {25, 18, 35, 22});
   }
-}
-
-TEST(NetworkOutput, RefusesAnotherNumberOfClasses) {
-  EXPECT_THROW(DecodeOutput(Zeros({4, 7}), OutputLayout::kDarknet, kInput, 3, 0.3), Error);
 }
 
 TEST(NetworkOutput, KeepsTheBestOfOverlappingBoxesOfAClass) {

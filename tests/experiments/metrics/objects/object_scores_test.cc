@@ -150,35 +150,6 @@ TEST(ObjectRows, ContractsStateDifferentiatedVelocities) {
             reports::Pairing::kVelocitiesOfPositions);
 }
 
-// Contracts state the bodies, the truth source and the minimum number of landmarks, and the frame
-// span only where motions depend on it.
-TEST(ObjectRows, ContractsHaveTheFieldsOfTheirGroup) {
-  ObjectTruth truth = TruthOf(8);
-  truth.first_frame = 3;
-  truth.contract.camera_truth = reports::TruthSource::kDevkit;
-  ObjectScores scores;
-  scores.bodies = {Mover(1, 4, {0.0})};
-  scores.bodies[0].ate_m = 0.5;
-  scores.bodies[0].motion_m = 0.5;
-  scores.clusters = 2;
-  scores.unmatched_clusters = 1;
-  const auto metrics = ObjectMetrics(truth, scores);
-  for (const char* name : {"object_ate", "object_motion_t", "object_coverage"}) {
-    const reports::Contract& contract = FindMetric(metrics, name)->contract;
-    EXPECT_EQ(contract.subject, reports::Subject::kMovers) << name;
-    EXPECT_EQ(contract.travel_m, 0.2);
-    EXPECT_EQ(contract.truth, reports::TruthSource::kScene);
-    EXPECT_EQ(contract.camera_truth, reports::TruthSource::kDevkit);
-    EXPECT_EQ(contract.matching, MatchBy::kLandmarks);
-    EXPECT_EQ(contract.least_landmarks, 3);
-  }
-  EXPECT_EQ(FindMetric(metrics, "object_motion_t")->contract.frames, (reports::FrameSpan{3, 10}));
-  EXPECT_NE(FindMetric(metrics, "object_ate")->contract.frames, (reports::FrameSpan{3, 10}));
-  const Metric* clusters = FindMetric(metrics, "object_unmatched_clusters");
-  EXPECT_EQ(clusters->contract.subject, reports::Subject::kClusters);
-  EXPECT_EQ(clusters->contract.matching, MatchBy::kLandmarks);
-}
-
 TEST(ObjectRows, RefuseAnOverflow) {
   std::vector<BodyScore> bodies = {Mover(1, 4, {0.0})};
   bodies[0].ate_m = std::numeric_limits<double>::infinity();
