@@ -76,21 +76,23 @@ struct RunScores {
 
 // A run: what it was asked to do, what came of it, and how good that is.
 struct RunResult : RunRequest {
+  explicit RunResult(const RunRequest& request) : RunRequest(request) {}
+
   RunStatus status = RunStatus::kOk;
-  std::string message = {};  // empty if ok
-  std::string content = {};  // hash of the sequence: images, text files and parameters
-  std::string job = {};      // JobIdentity
-  std::vector<FrameRecord> frames = {};
-  std::vector<ClusterTrajectory> clusters = {};  // as last estimated, by id; empty if it failed
-  DetectionCounts detections = {};
+  std::string message;  // empty if ok
+  std::string content;  // hash of the sequence: images, text files and parameters
+  std::string job;      // JobIdentity
+  std::vector<FrameRecord> frames;
+  std::vector<ClusterTrajectory> clusters;  // as last estimated, by id; empty if it failed
+  DetectionCounts detections;
   // Wall time of every frame by stage, NaN in frames without this stage. It is measured and
   // therefore never part of a result.
-  std::map<std::string, std::vector<float>> times_s = {};
+  std::map<std::string, std::vector<float>> times_s;
   double wall_s = 0.0;
   // From RunJob on:
-  RunScores scores = {};
-  std::vector<std::string> warnings = {};  // of FindImplausible, and of much memory
-  reports::TimingData timing = {};
+  RunScores scores;
+  std::vector<std::string> warnings;  // of FindImplausible, and of much memory
+  reports::TimingData timing;
 };
 
 // Whether no pose was estimated for the frame, so that the trajectory contains a predicted one.

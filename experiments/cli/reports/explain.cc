@@ -52,17 +52,12 @@ std::map<int, reports::Detected> DetectedBodies(const std::optional<Sequence>& s
   if (!sequence) return detected;
   const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(*sequence);
   if (!truth) return detected;
-  OracleSwitches boxes;
-  boxes.boxes = true;
-  const Oracle oracle(*sequence, boxes, truth.get());
+  const TrueBoxes true_boxes = BoxesOfBodies(*sequence, *truth);
   const auto detections = DetectionsOf(*sequence, classes);
   for (std::size_t i = 0; i < detections.size(); ++i) {
-    StereoFrame frame;
-    frame.detections = detections[i];
-    oracle.Give(static_cast<int>(i), {}, frame);
+    const std::vector<BodyId> shown = BodiesOfDetections(detections[i], true_boxes.at(i));
     const int number = sequence->first_frame + static_cast<int>(i);
     for (const TruthBody& body : truth->objects().bodies) {
-      const auto& shown = frame.given.detection_body;
       detected[body.id][number] =
           std::find(shown.begin(), shown.end(), BodyId{body.id}) != shown.end();
     }

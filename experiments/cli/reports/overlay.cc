@@ -21,7 +21,6 @@
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/overlay_run.h"
 #include "reports/overlays/picture_files.h"
-#include "variants/registry.h"
 
 namespace cvo {
 namespace {
@@ -106,27 +105,12 @@ void CheckSameSequence(const std::vector<reports::OverlayRun>& runs,
   }
 }
 
-// What distinguishes the variant, as ": labels from ...". Empty for a variant unknown to this
-// program.
-std::string VariantChanges(const std::string& variant) {
-  for (const VariantInfo& info : Variants()) {
-    if (info.name == variant) return StrCat(": ", info.changes);
-  }
-  return "";
-}
-
-// Titles of the runs: the variant with its description, or with its folder if several runs are of
-// this variant.
+// Titles of the runs: the variant, or the folder if several runs are of this variant.
 std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
                                 const std::vector<std::string>& folders) {
-  std::vector<std::string> titles;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto same = std::count_if(
-        runs.begin(), runs.end(), [&](const auto& run) { return run.variant == runs[i].variant; });
-    titles.push_back(same > 1 ? StrCat(runs[i].variant, ": ", folders[i])
-                              : runs[i].variant + VariantChanges(runs[i].variant));
-  }
-  return titles;
+  std::vector<std::string> variants;
+  for (const reports::OverlayRun& run : runs) variants.push_back(run.variant);
+  return UniqueNames(variants, folders);
 }
 
 std::string ImageName(int frame) {

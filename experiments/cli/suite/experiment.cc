@@ -67,21 +67,17 @@ void PrintReasons(const std::vector<PredictedState>& outlook, JobState state, st
 }
 
 void PrintPreparations(const std::vector<Preparation>& preparations, std::ostream& out) {
-  std::map<Stage, std::size_t> counts;
-  std::map<Stage, int> frames;
-  for (const Preparation& preparation : preparations) {
-    ++counts[preparation.stage];
-    frames[preparation.stage] += preparation.frames;
-  }
-  const std::size_t scenes = counts[Stage::kDrawing] + counts[Stage::kNoise];
-  if (scenes > 0) {
-    out << "scenes to render: " << scenes << " (" << frames[Stage::kDrawing] + frames[Stage::kNoise]
-        << " frames), " << counts[Stage::kDrawing]
-        << " of them from scratch, the rest from cached renders\n";
-  }
-  if (counts[Stage::kBoxes] > 0) {
-    out << "sequences to detect boxes in: " << counts[Stage::kBoxes] << " ("
-        << frames[Stage::kBoxes] << " frames)\n";
+  for (const auto& [stage, label] : {std::pair{Stage::kDrawing, "scenes to render"},
+                                     {Stage::kNoise, "scenes to render from cached drawings"},
+                                     {Stage::kBoxes, "sequences to detect boxes in"}}) {
+    int count = 0;
+    int frames = 0;
+    for (const Preparation& preparation : preparations) {
+      if (preparation.stage != stage) continue;
+      ++count;
+      frames += preparation.frames;
+    }
+    if (count > 0) out << label << ": " << count << " (" << frames << " frames)\n";
   }
 }
 

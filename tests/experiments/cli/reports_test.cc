@@ -171,13 +171,14 @@ TEST_F(CliExplain, FindsBoxesOutsideTheSequence) {
   const ProcessResult run = RunProgram({"run", Path("scene"), "-o", Path("given"), "--landmarks",
                                         "--detections", Path("elsewhere.txt"), "-q"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  fs::remove_all(Path("scene") + "/detections");
+  fs::rename(Path("scene") + "/detections", Path("away"));
   const ProcessResult one = RunProgram({"explain", Path("given"), "chair_1"});
   ASSERT_EQ(one.exit_code, 0) << one.err;
   EXPECT_EQ(one.err, "");
   fs::remove(Path("elsewhere.txt"));
   EXPECT_THAT(RunProgram({"explain", Path("given"), "chair_1"}).err,
               HasSubstr("the run's detection file was not found"));
+  fs::rename(Path("away"), Path("scene") + "/detections");
 }
 
 TEST_F(CliExplain, BadInputGivesOneLine) {
