@@ -123,7 +123,7 @@ class CsvReader {
     } else if constexpr (std::same_as<T, double>) {
       value = Parsed(names, "a finite number", ParseDouble);
     } else {
-      auto numbers = NumbersOf(T());
+      decltype(NumbersOf(value)) numbers{};
       for (double& number : numbers) {
         const std::string_view name = names.substr(0, names.find(','));
         Cells(name, number);

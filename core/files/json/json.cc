@@ -205,8 +205,8 @@ void DumpJsonWithRows(const Json& object, const std::string& key,
     writer.Write(row, StrCat(key, "[", count, "]"), 4, true);
     sink(StrCat(count > 0 ? "," : "", "\n    ", writer.Take()));
   }
-  const std::string end = behind.empty() ? std::string(kEnd) : "," + DumpJson(behind).substr(1);
-  sink(StrCat(count > 0 ? "\n  ]" : "]", end));
+  sink(count > 0 ? "\n  ]" : "]");
+  sink(behind.empty() ? std::string(kEnd) : StrCat(",", DumpJson(behind).substr(1)));
 }
 
 }  // namespace cvo

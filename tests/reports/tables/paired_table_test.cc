@@ -190,7 +190,7 @@ TEST(CompareFolders, ReportsChangesAndTheirSize) {
   const auto ate = CellOf(table, 0, "object_ate").difference;
   EXPECT_NEAR(ate->difference, -0.02, 1e-12);
   EXPECT_NEAR(*ate->percent, -100.0 * 0.02 / 0.0745, 1e-9);
-  EXPECT_EQ(MovedText(table), "1 of 4 values changed, 1 distinguishable from noise (*)\n");
+  EXPECT_EQ(MovedText(table), "1 of 5 values changed, 1 distinguishable from noise (*)\n");
 }
 
 TEST(CompareFolders, StatesOptionsAndBuildsThatDiffer) {
