@@ -27,14 +27,20 @@ struct NoGpPrior : Full {
   static constexpr std::string_view kChanges =
       "without the paper's white-noise-on-acceleration prior on positions; the prior on "
       "orientations is kept";
-  using MotionPrior = WithTurnPrior<cvo::NoMotionPrior>;
+  using BodyMotion = TurnNoiseMotion;
+};
+
+struct NoTurnPrior : Full {
+  static constexpr std::string_view kName = "no_turn_prior";
+  static constexpr std::string_view kChanges = "without the motion prior on orientations";
+  using BodyMotion = TranslationNoiseMotion;
 };
 
 struct WithoutMotionPrior : Full {
   static constexpr std::string_view kName = "no_motion_prior";
   static constexpr std::string_view kChanges =
       "no motion prior at all: each pose of a cluster is estimated independently";
-  using MotionPrior = cvo::NoMotionPrior;
+  using BodyMotion = FreeMotion;
 };
 
 struct NoPairwiseTerm : Full {
@@ -62,14 +68,14 @@ struct NoMarginalization : Full {
   static constexpr std::string_view kName = "no_marginalization";
   static constexpr std::string_view kChanges =
       "frames leaving the spatial track are dropped without a prior";
-  using MarginalizationRule = MarginalizeNothing;
+  using Frames = DroppedFrames;
 };
 
 struct NoSpatialTrack : Full {
   static constexpr std::string_view kName = "no_spatial_track";
   static constexpr std::string_view kChanges =
       "frames leaving the temporal track are always discarded";
-  using SpatialTrack = PromoteNever;
+  using Frames = TemporalFrames;
 };
 
 struct NoLabelConfidence : Full {

@@ -15,50 +15,34 @@ struct ClusterVo {
   using Detections = UseDetections;
   // Section 3.1.
   using LandmarkAssociation = ProbabilisticAssociation;
-  using BoxWeights = BoxWeightsLiteral;
-  using BoxCost = UnsharedBoxCost;
-  using ClassGate = AcceptAnyClass;
+  using Boxes = PrintedBoxWeights;
   using BoxRematch = RematchInOwnBox;
-  using Rotation = HeldRotation;
   using Identity = AlwaysNewIdentity;
   // Section 3.2.
   using BoxTerm = DetectedBox2dTerm;
   using AffinityTerm = cvo::AffinityTerm;
   using MotionTerm = cvo::MotionTerm;
-  using PointPlace = EstimatedPlace;
-  using PastFrame = ExactPastFrame;
-  using NewBody = AllDepths;
+  using MotionEvidence = EstimateAndPast;
+  using NewBody = BodiesOfAllPoints;
   using Pairwise = NormalizedGaussianKernel;
   using Confidence = CountLabels;
-  using BirthOrigin = OriginAtCentroid;
   // Section 3.3.
-  using MotionPrior = WhiteNoiseOnAccelerationFrameUnits;
+  using BodyMotion = FrameNoiseMotion;
   using Past = ForgetPast;
   using Outliers = KeepOutliers;
-  using MarginalizationRule = MarginalizeUnseenByNewest;
-  using Gauge = PriorHoldsGauge;
-  using SpatialTrack = PromoteDistant;
+  using Frames = DoubleTrackFrames;
   using Calibration = TrustCalibration;
   using Solver = OwnSchur;
 
   // Sets the values that the paper prints and, for options that it does not have, those that switch
   // our additions off.
   static void SetDefaults(Options& options) {
-    options.association.gamma = 4.0;
-    options.association.max_entropy = 1.0;
-    options.association.min_box_probability = 0.0;
-    options.association.min_box_members = 1;
-    options.association.max_view_change_rad = 3.15;
     options.association.left_only = false;
     options.clusters.trace_states = 0;
     options.unary.past_frames = 5;
-    options.unary.box_foot = 0.0;
-    options.unary.box_shrink = 0.0;
     options.unary.undetected_reach = 0.0;
-    options.unary.static_energy = 2.0;
     options.clusters.box_half_size = 0.0;
     options.clusters.confirm_detections = 1;
-    options.clusters.undetected_frames = 0;
     options.orb.reserve = 0.0;
     options.stereo.max_row_correction_px = 0.0;
     options.extent.part_share = 2.0;

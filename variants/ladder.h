@@ -22,17 +22,12 @@ struct Rung {
   static constexpr std::string_view kName = R<ClusterVo>::kRung;
   static constexpr std::string_view kAdds = R<ClusterVo>::kAdds;
 };
-using Rungs =
-    std::tuple<Rung<AddBoxWeights>, Rung<AddEntropyInNats>, Rung<AddBoxShare>, Rung<AddLeastShare>,
-               Rung<AddClassGate>, Rung<AddWideGate>, Rung<AddTurning>, Rung<AddViewGate>,
-               Rung<AddReacquisition>, Rung<AddLeftImage>, Rung<AddMissedDetections>,
-               Rung<AddBoxFoot>, Rung<AddBoxShrink>, Rung<AddCheapStatic>, Rung<AddBoxSize>,
-               Rung<AddNearestDepths>, Rung<AddTriangulation>, Rung<AddLongPast>, Rung<AddReserve>,
-               Rung<AddBirthOrigin>, Rung<AddConfirmation>, Rung<AddArchiveUndetected>,
-               Rung<AddAlignedPatches>, Rung<AddPatchNoise>, Rung<AddFixedGauge>,
-               Rung<AddSelfCalibration>, Rung<AddOutlierRemoval>, Rung<AddEarlyStop>,
-               Rung<AddStifferPrior>, Rung<AddTurnPrior>, Rung<AddPastInformation>,
-               Rung<AddTraceBack>, Rung<AddIdentity>, Rung<AddAlignment>>;
+using Rungs = std::tuple<Rung<AddBoundedBoxes>, Rung<AddReacquisition>, Rung<AddLeftImage>,
+                         Rung<AddMissedDetections>, Rung<AddBoxSize>, Rung<AddBodiesByDepth>,
+                         Rung<AddMotionEvidence>, Rung<AddReserve>, Rung<AddConfirmation>,
+                         Rung<AddAlignedPatches>, Rung<AddPatchNoise>, Rung<AddSelfCalibration>,
+                         Rung<AddOutlierRemoval>, Rung<AddEarlyStop>, Rung<AddBodyMotion>,
+                         Rung<AddPastInformation>, Rung<AddTraceBack>, Rung<AddIdentity>>;
 inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
 
 namespace internal {

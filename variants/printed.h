@@ -29,29 +29,11 @@ struct PrintedAffinity : ClusterVo {
   using AffinityTerm = AffinityTermLiteral;
 };
 
-struct PrintedMotion : ClusterVo {
-  static constexpr std::string_view kName = "printed_motion";
-  static constexpr std::string_view kChanges =
-      "clustervo with equation 8 as printed: a class without a pose fits perfectly";
-  using MotionTerm = MotionTermLiteral;
-};
-
 struct PrintedKernel : ClusterVo {
   static constexpr std::string_view kName = "printed_kernel";
   static constexpr std::string_view kChanges =
       "clustervo with equation 9 as printed: the kernel is not normalised";
   using Pairwise = RawGaussianKernel;
-};
-
-struct PrintedSeconds : ClusterVo {
-  static constexpr std::string_view kName = "printed_seconds";
-  static constexpr std::string_view kChanges =
-      "clustervo with Q = 0.01 in metres and seconds instead of metres and frames";
-  using MotionPrior = WhiteNoiseOnTranslation;
-  static void SetDefaults(Options& options) {
-    ClusterVo::SetDefaults(options);
-    options.motion_prior.q_m2_s3 = 0.01;
-  }
 };
 
 }  // namespace cvo

@@ -9,75 +9,12 @@ namespace cvo {
 // Each rung adds one of our additions to a variant between ClusterVo and Full: a policy, options
 // that get their defaults, or both (ladder.h).
 template <typename Base>
-struct AddBoxWeights : Base {
-  static constexpr std::string_view kRung = "box_weights";
+struct AddBoundedBoxes : Base {
+  static constexpr std::string_view kRung = "boxes";
   static constexpr std::string_view kAdds =
-      "bounded weights of landmarks in boxes, and a cluster may have no box";
-  using BoxWeights = BoundedBoxWeights;
-};
-
-template <typename Base>
-struct AddEntropyInNats : Base {
-  static constexpr std::string_view kRung = "entropy";
-  static constexpr std::string_view kAdds = "an entropy limit of 1 nat instead of 1 bit for boxes";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.association.max_entropy = Options().association.max_entropy;
-  }
-};
-
-template <typename Base>
-struct AddBoxShare : Base {
-  static constexpr std::string_view kRung = "box_share";
-  static constexpr std::string_view kAdds =
-      "clusters inside one box compete by their share of its weight";
-  using BoxCost = SharedBoxCost;
-};
-
-template <typename Base>
-struct AddLeastShare : Base {
-  static constexpr std::string_view kRung = "least_share";
-  static constexpr std::string_view kAdds =
-      "a box is assigned only if it contains a minimum share and number of the cluster's landmarks";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.association.min_box_probability = Options().association.min_box_probability;
-    options.association.min_box_members = Options().association.min_box_members;
-  }
-};
-
-template <typename Base>
-struct AddClassGate : Base {
-  static constexpr std::string_view kRung = "class_gate";
-  static constexpr std::string_view kAdds = "a cluster takes no box of another class";
-  using ClassGate = RefuseOtherClasses;
-};
-
-template <typename Base>
-struct AddWideGate : Base {
-  static constexpr std::string_view kRung = "wide_gate";
-  static constexpr std::string_view kAdds = "a 95 % gate for features instead of 74 %";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.association.gamma = Options().association.gamma;
-  }
-};
-
-template <typename Base>
-struct AddTurning : Base {
-  static constexpr std::string_view kRung = "turning";
-  static constexpr std::string_view kAdds = "bodies are predicted to keep turning";
-  using Rotation = ConstantAngularVelocity;
-};
-
-template <typename Base>
-struct AddViewGate : Base {
-  static constexpr std::string_view kRung = "view_gate";
-  static constexpr std::string_view kAdds = "landmarks are not searched on the far side of a body";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.association.max_view_change_rad = Options().association.max_view_change_rad;
-  }
+      "bounded weights of landmarks in boxes, a share of each box for every cluster, no boxes of "
+      "another class";
+  using Boxes = BoundedBoxes;
 };
 
 template <typename Base>
@@ -111,37 +48,6 @@ struct AddMissedDetections : Base {
 };
 
 template <typename Base>
-struct AddBoxFoot : Base {
-  static constexpr std::string_view kRung = "box_foot";
-  static constexpr std::string_view kAdds = "the foot of a box may show the ground";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.unary.box_foot = Options().unary.box_foot;
-  }
-};
-
-template <typename Base>
-struct AddBoxShrink : Base {
-  static constexpr std::string_view kRung = "box_shrink";
-  static constexpr std::string_view kAdds = "the border of a box is taken for background";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.unary.box_shrink = Options().unary.box_shrink;
-  }
-};
-
-template <typename Base>
-struct AddCheapStatic : Base {
-  static constexpr std::string_view kRung = "static_energy";
-  static constexpr std::string_view kAdds =
-      "the static class costs 1 nat in the affinity term, not 2";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.unary.static_energy = Options().unary.static_energy;
-  }
-};
-
-template <typename Base>
 struct AddBoxSize : Base {
   static constexpr std::string_view kRung = "box_size";
   static constexpr std::string_view kAdds = "a cluster fills its box";
@@ -152,11 +58,12 @@ struct AddBoxSize : Base {
 };
 
 template <typename Base>
-struct AddNearestDepths : Base {
-  static constexpr std::string_view kRung = "nearest_depths";
+struct AddBodiesByDepth : Base {
+  static constexpr std::string_view kRung = "new_bodies";
   static constexpr std::string_view kAdds =
-      "a new body is the nearest dense range of depths that fills its box, and no part of another";
-  using NewBody = NearestDepths;
+      "a new body is the nearest dense range of depths that fills its box, no part of another, "
+      "with its origin behind the surface";
+  using NewBody = BodiesByDepth;
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.extent.part_share = Options().extent.part_share;
@@ -164,19 +71,11 @@ struct AddNearestDepths : Base {
 };
 
 template <typename Base>
-struct AddTriangulation : Base {
-  static constexpr std::string_view kRung = "triangulation";
+struct AddMotionEvidence : Base {
+  static constexpr std::string_view kRung = "motion_evidence";
   static constexpr std::string_view kAdds =
-      "current triangulations instead of landmarks in the motion and pairwise terms";
-  using PointPlace = TriangulatedPlace;
-};
-
-template <typename Base>
-struct AddLongPast : Base {
-  static constexpr std::string_view kRung = "long_past";
-  static constexpr std::string_view kAdds =
-      "the motion term looks up to 14 frames back, less for new landmarks";
-  using PastFrame = OldestPastFrame;
+      "the motion term compares triangulations over up to 14 frames";
+  using MotionEvidence = OldestTriangulation;
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.unary.past_frames = Options().unary.past_frames;
@@ -194,14 +93,6 @@ struct AddReserve : Base {
 };
 
 template <typename Base>
-struct AddBirthOrigin : Base {
-  static constexpr std::string_view kRung = "birth_origin";
-  static constexpr std::string_view kAdds =
-      "a body's origin lies behind its surface, on the ray through its box";
-  using BirthOrigin = OriginBehindBox;
-};
-
-template <typename Base>
 struct AddConfirmation : Base {
   static constexpr std::string_view kRung = "confirmation";
   static constexpr std::string_view kAdds = "a cluster is reported from its second detection on";
@@ -209,24 +100,6 @@ struct AddConfirmation : Base {
     Base::SetDefaults(options);
     options.clusters.confirm_detections = Options().clusters.confirm_detections;
   }
-};
-
-template <typename Base>
-struct AddArchiveUndetected : Base {
-  static constexpr std::string_view kRung = "archive_undetected";
-  static constexpr std::string_view kAdds =
-      "a cluster that stands still and is no longer detected is archived";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.clusters.undetected_frames = Options().clusters.undetected_frames;
-  }
-};
-
-template <typename Base>
-struct AddFixedGauge : Base {
-  static constexpr std::string_view kRung = "fixed_gauge";
-  static constexpr std::string_view kAdds = "the oldest frame of the window is held fixed";
-  using Gauge = FixOldestFrame;
 };
 
 template <typename Base>
@@ -284,18 +157,12 @@ struct AddEarlyStop : Base {
 };
 
 template <typename Base>
-struct AddStifferPrior : Base {
-  static constexpr std::string_view kRung = "stiffer_prior";
+struct AddBodyMotion : Base {
+  static constexpr std::string_view kRung = "body_motion";
   static constexpr std::string_view kAdds =
-      "the motion prior has 1 m^2/s^3 instead of 0.01 m^2/frame^3";
-  using MotionPrior = WhiteNoiseOnTranslation;
-};
-
-template <typename Base>
-struct AddTurnPrior : Base {
-  static constexpr std::string_view kRung = "turn_prior";
-  static constexpr std::string_view kAdds = "a motion prior on orientations";
-  using MotionPrior = WithTurnPrior<typename Base::MotionPrior>;
+      "the motion prior has 1 m^2/s^3 instead of 0.01 m^2/frame^3 and includes orientations; "
+      "predicted bodies keep turning";
+  using BodyMotion = WhiteNoiseMotion;
 };
 
 template <typename Base>
@@ -320,16 +187,9 @@ template <typename Base>
 struct AddIdentity : Base {
   static constexpr std::string_view kRung = "identity";
   static constexpr std::string_view kAdds =
-      "a new cluster explained by exactly one lost cluster takes over its id";
+      "a new cluster explained by exactly one lost cluster takes over its id and is aligned with "
+      "it";
   using Identity = InheritLostIdentity;
-};
-
-template <typename Base>
-struct AddAlignment : Base {
-  static constexpr std::string_view kRung = "alignment";
-  static constexpr std::string_view kAdds =
-      "when an id is inherited, the new object frame is aligned with the old one";
-  using Identity = WithAlignedFrames<typename Base::Identity>;
 };
 
 }  // namespace cvo

@@ -11,28 +11,14 @@ struct StaticNoMarginalization : Static {
   static constexpr std::string_view kName = "static_no_marginalization";
   static constexpr std::string_view kChanges =
       "static; frames leaving the spatial track are dropped without a prior";
-  using MarginalizationRule = MarginalizeNothing;
-};
-
-struct StaticMarginalizeLost : Static {
-  static constexpr std::string_view kName = "static_marginalize_lost";
-  static constexpr std::string_view kChanges =
-      "static; marginalises landmarks not seen in the last window.lost_frames frames";
-  using MarginalizationRule = MarginalizeLost;
-};
-
-struct StaticPriorGauge : Static {
-  static constexpr std::string_view kName = "static_prior_gauge";
-  static constexpr std::string_view kChanges =
-      "static; the gauge is fixed only by the prior, no frame is held fixed";
-  using Gauge = PriorHoldsGauge;
+  using Frames = DroppedFrames;
 };
 
 struct StaticNoSpatialTrack : Static {
   static constexpr std::string_view kName = "static_no_spatial_track";
   static constexpr std::string_view kChanges =
       "static; frames leaving the temporal track are always discarded";
-  using SpatialTrack = PromoteNever;
+  using Frames = TemporalFrames;
 };
 
 struct StaticCornersOnly : Static {

@@ -35,11 +35,9 @@ struct PairwiseOptions {
 // Options of the unary terms of the CRF. Energies are negative log probabilities in nats.
 struct UnaryOptions {
   double eta = 0.95;
-  double box_shrink = 0.05;
-  double box_foot = 0.2;
   double kappa = 2.0;
   double undetected_reach = 1.7;
-  double static_energy = 1.0;
+  double static_energy = 2.0;
   double outlier_energy = 4.0;
   int past_frames = 0;
   double motion_cap = 25.0;
@@ -53,18 +51,6 @@ struct UnaryOptions {
         "eta", self.eta,
         {"1", 0.0, 1.0, "prior probability that a landmark has the label given by the boxes",
          "paper, section 4.1"});
-    visit.Field("box_shrink", self.box_shrink,
-                {"1", 0.0, 0.49,
-                 "fraction of the width and height by which each side of a detection is moved "
-                 "inwards, since the border of a box shows background",
-                 "METHOD.md 5.3"});
-    visit.Field(
-        "box_foot", self.box_foot,
-        {"1", 0.0, 1.0,
-         "lower fraction of a detection's height in which landmarks are as likely to be static as "
-         "part of the body: the ground is visible there between legs or wheels; 0 as in the paper",
-         "chosen from 0 ... 0.35 on the rooms: half of the background landmarks wrongly "
-         "assigned to bodies were in this part of their boxes"});
     visit.Field("kappa", self.kappa,
                 {"half sizes", 0.1, 100.0,
                  "standard deviation of a body's points; 2 to 2.5 reaches the surface of a box",

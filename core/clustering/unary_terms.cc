@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clustering/unary_terms.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
 
@@ -70,35 +68,11 @@ namespace {
 
 using Boxes = std::vector<std::optional<ImageBox>>;
 
-Boxes DetectedBoxes(const CrfScene& scene, double shrink) {
+Boxes BoxesOf(const CrfScene& scene, std::optional<ImageBox> CrfLabel::*box) {
   Boxes boxes;
   boxes.reserve(scene.labels.size());
-  for (const CrfLabel& label : scene.labels) {
-    boxes.push_back(label.box);
-    if (label.box) boxes.back() = label.box->Shrunk(shrink);
-  }
+  for (const CrfLabel& label : scene.labels) boxes.push_back(label.*box);
   return boxes;
-}
-
-// The boxes without their lower part, where the ground is visible.
-Boxes WithoutBoxFoot(const Boxes& boxes, double foot) {
-  Boxes bodies = boxes;
-  for (auto& box : bodies) {
-    if (box) box->bottom_px -= foot * box->Height();
-  }
-  return bodies;
-}
-
-Boxes PredictedBoxes(const CrfScene& scene) {
-  Boxes boxes;
-  boxes.reserve(scene.labels.size());
-  for (const CrfLabel& label : scene.labels) boxes.push_back(label.predicted_box);
-  return boxes;
-}
-
-bool AnyContains(const Boxes& boxes, const Eigen::Vector3d& z_px) {
-  return std::any_of(boxes.begin(), boxes.end(),
-                     [&](const auto& box) { return box && box->Contains(z_px[0], z_px[1]); });
 }
 
 // The set C of one landmark.
@@ -143,15 +117,16 @@ class Candidates {
 // `predicted` holds the boxes to be used where there is no detection.
 void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, const Boxes& predicted,
                  EnergyMatrix& energies) {
-  const Boxes detected = DetectedBoxes(scene, options.box_shrink);
-  const Boxes bodies = WithoutBoxFoot(detected, options.box_foot);
+  const Boxes detected = BoxesOf(scene, &CrfLabel::box);
   Candidates candidates(scene.labels.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Eigen::Vector3d& z_px = scene.nodes[i].z_px;
     candidates.Clear();
     candidates.AddContaining(detected, z_px);
-    if (candidates.Empty()) candidates.AddContaining(predicted, z_px);
-    if (!AnyContains(bodies, z_px)) candidates.AddStatic(scene);
+    if (candidates.Empty()) {
+      candidates.AddContaining(predicted, z_px);
+      candidates.AddStatic(scene);
+    }
     candidates.Write(options.eta, static_cast<Eigen::Index>(i), energies);
   }
 }
@@ -160,7 +135,7 @@ void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, const Boxes
 
 void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                          EnergyMatrix& energies) {
-  BoxEnergies(scene, options, PredictedBoxes(scene), energies);
+  BoxEnergies(scene, options, BoxesOf(scene, &CrfLabel::predicted_box), energies);
 }
 
 void DetectedBox2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
@@ -170,7 +145,7 @@ void DetectedBox2dTerm::Energies(const CrfScene& scene, const UnaryOptions& opti
 
 void Box2dTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& options,
                                 EnergyMatrix& energies) {
-  const Boxes detected = DetectedBoxes(scene, 0.0);
+  const Boxes detected = BoxesOf(scene, &CrfLabel::box);
   Candidates candidates(scene.labels.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     candidates.Clear();
@@ -232,19 +207,6 @@ void MotionTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
         scene.camera.ProjectionJacobian(p_in_past) * past_from_now->RotationMatrix();
     const Eigen::Matrix3d S = node.past->covariance_px2 + J * place.covariance_m2 * J.transpose();
     return 0.5 * std::min(MahalanobisSquared(S, node.past->z_px - *z_px), options.motion_cap);
-  };
-  EnergiesOfNodesWithPast(scene, label_energy, energies);
-}
-
-void MotionTermLiteral::Energies(const CrfScene& scene, const UnaryOptions&,
-                                 EnergyMatrix& energies) {
-  const auto label_energy = [&](const CrfNode& node, const CrfLabel& label) {
-    const RigidTransform* past_from_now = PastFromNow(label, node.past->frame);
-    if (past_from_now == nullptr) return 0.0;
-    const auto z_px = scene.camera.Project(*past_from_now * node.MovingPlace().p_in_camera);
-    if (!z_px) return std::numeric_limits<double>::infinity();
-    return MahalanobisSquared(node.past->covariance_px2, node.past->z_px - *z_px) +
-           0.5 * std::log(node.past->covariance_px2.determinant());
   };
   EnergiesOfNodesWithPast(scene, label_energy, energies);
 }

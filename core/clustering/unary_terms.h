@@ -85,10 +85,9 @@ struct AffinityTermLiteral {
 struct NoAffinityTerm : SilentTerm {};
 
 // p_2D of section 3.2 of the paper: eta / |C| for the labels in C, (1 - eta) / (M - |C|) for the
-// others. C consists of the labels whose detection, shrunk by box_shrink, contains the landmark,
-// and of the static scene if the landmark is in the lowest box_foot of all these detections. If no
-// detection contains it, C consists of the static scene and the labels whose predicted box, not
-// shrunk, contains it: a missed detection is no evidence for or against them (METHOD.md 5.3).
+// others. C consists of the labels whose detection contains the landmark. If none does, C consists
+// of the static scene and the labels whose predicted box contains it: a missed detection is no
+// evidence for or against them (METHOD.md 5.3).
 struct Box2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
@@ -99,8 +98,7 @@ struct DetectedBox2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 
-// As printed: detections are not shrunk, predicted boxes are not used, and all labels are equally
-// likely if C is empty.
+// As printed: predicted boxes are not used, and all labels are equally likely if C is empty.
 struct Box2dTermLiteral {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
@@ -112,14 +110,6 @@ struct Box2dTermLiteral {
 // class outlier_motion. All labels cost the same if the landmark has no past or no label has a pose
 // in the past frame.
 struct MotionTerm {
-  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
-};
-
-// As printed: exp(-e^T Sigma_z^-1 e) / sqrt|Sigma_z|, and the factor 1 for labels without a pose in
-// the past frame, new boxes and outliers. The paper's factor for the current frame is left out, as
-// e = 0 there for every label. A label that puts the point behind the past camera, where the
-// formula has no meaning, is impossible.
-struct MotionTermLiteral {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 

@@ -82,7 +82,7 @@ std::vector<BoxMember> MembersOf(const ClusterSearch& search, const Cluster& clu
 void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
                            BoxProbabilities& probabilities) {
   for (std::size_t m = 0; m < view.shown.detections.size(); ++m) {
-    if (view.shown.detections[m].category != cluster.category) probabilities.members[m] = 0;
+    if (view.shown.detections[m].category != cluster.category) probabilities.probability[m] = 0.0;
   }
 }
 

@@ -124,11 +124,20 @@ struct AcceptAnyClass {
   static void Apply(const FrameView&, const Cluster&, BoxProbabilities&) {}
 };
 
+// How boxes are assigned to clusters: weights of landmarks, costs, and classes.
+template <typename Policy>
+concept BoxPolicy = BoxWeightsPolicy<Policy> && BoxCostPolicy<Policy> && ClassGatePolicy<Policy>;
+
+// Policy: ours (METHOD.md 4.5).
+struct BoundedBoxes : BoundedBoxWeights, SharedBoxCost, RefuseOtherClasses {};
+// Policy: the paper's.
+struct PrintedBoxWeights : BoxWeightsLiteral, UnsharedBoxCost, AcceptAnyClass {};
+
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
 // then detections with clusters. Archived clusters that are found again move to map.live. Returns
 // one track per cluster in map.live.
-template <LandmarkAssociationPolicy LandmarkAssociation, BoxWeightsPolicy BoxWeights,
-          BoxCostPolicy BoxCost, ClassGatePolicy ClassGate, BoxRematchPolicy BoxRematch>
+template <LandmarkAssociationPolicy LandmarkAssociation, BoxPolicy Boxes,
+          BoxRematchPolicy BoxRematch>
 std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,
                                             const ClusterPredictor& predict, ClusterMap& map,
                                             Rng& rng, TakenFeatures& taken) {
@@ -148,11 +157,11 @@ std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,
   std::vector<BoxProbabilities> probabilities;
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     probabilities.push_back(
-        BoxWeights::Compute(internal::MembersOf(search, map.live[q], tracks[q]), boxes));
-    ClassGate::Apply(search, map.live[q], probabilities.back());
+        Boxes::Compute(internal::MembersOf(search, map.live[q], tracks[q]), boxes));
+    Boxes::Apply(search, map.live[q], probabilities.back());
   }
   const std::vector<int> chosen = AssociateBoxes(probabilities, static_cast<int>(boxes.size()),
-                                                 search.options.association, &BoxCost::Cost);
+                                                 search.options.association, &Boxes::Cost);
   for (std::size_t q = 0; q < tracks.size(); ++q) tracks[q].detection = chosen[q];
   internal::AssociateGivenDetections(search, map, tracks);
   BoxRematch::Rematch(search, map, rng, taken, tracks);

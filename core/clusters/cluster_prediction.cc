@@ -116,15 +116,10 @@ std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                                                  const Landmark& landmark) {
   const Eigen::Matrix3d R_camera_from_world = search.world_from_camera.RotationMatrix().transpose();
   const Eigen::Vector3d p_in_world = predicted.world_from_object * landmark.p_in_object;
-  const Eigen::Vector3d to_camera = search.world_from_camera.translation() - p_in_world;
-  const Eigen::Vector3d c = -(R_camera_from_world * to_camera);
+  const Eigen::Vector3d c =
+      R_camera_from_world * (p_in_world - search.world_from_camera.translation());
   const auto zeta = search.camera.Project(c);
   if (!zeta || !search.camera.InImage((*zeta)[0], (*zeta)[1])) return std::nullopt;
-
-  const Eigen::Matrix3d R_world_from_object = predicted.world_from_object.RotationMatrix();
-  const double cos_view =
-      (R_world_from_object * landmark.view_in_object).dot(to_camera.normalized());
-  if (cos_view < std::cos(search.options.association.max_view_change_rad)) return std::nullopt;
 
   const double log_scale = std::log(search.options.orb.scale_factor);
   const int octave =
@@ -132,7 +127,7 @@ std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                      static_cast<int>(std::lround(std::log(landmark.depth_m / c.z()) / log_scale)),
                  0, search.options.orb.levels - 1);
   const Eigen::Matrix3d J = search.camera.ProjectionJacobian(c) * R_camera_from_world;
-  const Eigen::Matrix3d JR = J * R_world_from_object;
+  const Eigen::Matrix3d JR = J * predicted.world_from_object.RotationMatrix();
   const double lever_m = landmark.p_in_object.norm();
   PredictedLandmark result;
   result.zeta_px = *zeta;

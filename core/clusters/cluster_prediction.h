@@ -60,7 +60,7 @@ ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions
 }
 
 // Predicts how the current camera sees a landmark of the cluster. Empty if the landmark is behind
-// the camera, outside the image or on the far side of the body.
+// the camera or outside the image.
 std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark);

@@ -44,8 +44,7 @@ struct WindowOptions {
     visit.Field("lost_frames", self.lost_frames,
                 {"frames", 1, 100,
                  "a landmark seen only once is removed after this many frames without an "
-                 "observation; with the rule MarginalizeLost, a landmark not seen for this many "
-                 "frames is marginalised with the frame that leaves",
+                 "observation",
                  "METHOD.md 7.3"});
   }
 };
@@ -54,48 +53,22 @@ struct WindowOptions {
 // its observations; otherwise only that one observation is deleted (METHOD.md 7.3). kKeepsPrior:
 // what is marginalised becomes a prior of the window.
 template <typename Policy>
-concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newest,
-                                         const WindowOptions& options) {
+concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newest) {
   { Policy::kKeepsPrior } -> std::convertible_to<bool>;
-  { Policy::Marginalizes(landmark, newest, options) } -> std::same_as<bool>;
+  { Policy::Marginalizes(landmark, newest) } -> std::same_as<bool>;
 };
 
-// Policy: marginalise landmarks that were not seen in the last lost_frames frames.
-struct MarginalizeLost {
-  static constexpr bool kKeepsPrior = true;
-  static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions& options) {
-    return landmark.last_seen.value <= newest.value - options.lost_frames;
-  }
-};
 // Policy: marginalise landmarks that the newest frame does not see; the paper's rule.
 struct MarginalizeUnseenByNewest {
   static constexpr bool kKeepsPrior = true;
-  static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions&) {
+  static bool Marginalizes(const Landmark& landmark, FrameId newest) {
     return landmark.last_seen < newest;
   }
 };
 // Policy: marginalise nothing and form no prior from what leaves.
 struct MarginalizeNothing {
   static constexpr bool kKeepsPrior = false;
-  static bool Marginalizes(const Landmark&, FrameId, const WindowOptions&) { return false; }
-};
-
-// Fixes the gauge of the window: whether the pose of its frame `index` is held constant.
-template <typename Policy>
-concept GaugePolicy = requires(int index, const WindowPrior& prior) {
-  { Policy::Fixes(index, prior) } -> std::same_as<bool>;
-};
-
-// Policy: the oldest frame is held constant.
-struct FixOldestFrame {
-  static bool Fixes(int index, const WindowPrior&) { return index == 0; }
-};
-// Policy: once there is a prior, it alone fixes the gauge; until then the oldest frame is held (the
-// paper's).
-struct PriorHoldsGauge {
-  static bool Fixes(int index, const WindowPrior& prior) {
-    return index == 0 && prior.frames.empty();
-  }
+  static bool Marginalizes(const Landmark&, FrameId) { return false; }
 };
 
 // Whether a frame leaving T_t joins T_s.
@@ -114,6 +87,11 @@ struct PromoteDistant {
 struct PromoteNever {
   static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
 };
+
+// Policies for frames that leave the windows: the paper's; without marginalisation; without T_s.
+struct DoubleTrackFrames : MarginalizeUnseenByNewest, PromoteDistant {};
+struct DroppedFrames : MarginalizeNothing, PromoteDistant {};
+struct TemporalFrames : MarginalizeUnseenByNewest, PromoteNever {};
 
 // How far the calibration of the stereo rig is trusted: the prior standard deviation of each
 // coefficient of right_field_px, unless kFixesRightField holds them constant.
@@ -199,7 +177,7 @@ class DoubleTrack {
     std::vector<LandmarkId> marginalized;
     for (const Landmark& landmark : window.landmarks) {
       if (landmark.observations.size() >= 2 && FindObservation(landmark, leaving) &&
-          MarginalizationRule::Marginalizes(landmark, newest, options_)) {
+          MarginalizationRule::Marginalizes(landmark, newest)) {
         marginalized.push_back(landmark.id);
       }
     }

@@ -35,8 +35,6 @@ struct Options {
   ExtentOptions extent;
   MotionPriorOptions motion_prior;
   ClusterOptions clusters;
-  BoxCenterOptions box_center;
-  IdentityOptions identity;
   BodyBoxOptions boxes;
 
   FeatureNoise NoiseOfFeatures() const { return {noise, orb.scale_factor}; }
@@ -69,8 +67,6 @@ struct Options {
     visit.Group("extent", self.extent);
     visit.Group("motion_prior", self.motion_prior);
     visit.Group("clusters", self.clusters);
-    visit.Group("box_center", self.box_center);
-    visit.Group("identity", self.identity);
     visit.Group("boxes", self.boxes);
   }
 };

@@ -164,7 +164,7 @@ LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& optio
   scene.given_body.push_back(kStaticBody);
   for (const Cluster& cluster : map.live) scene.given_body.push_back(cluster.given_body);
   const std::vector<std::optional<CrfLabel::Extent>> bodies =
-      FindNewBodies(view, {steps.new_body, options.extent, options.unary.box_shrink}, is_claimed,
+      FindNewBodies(view, {steps.new_body, options.extent}, is_claimed,
                     points, scene.crf.nodes);
   for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
     if (!bodies[m]) continue;

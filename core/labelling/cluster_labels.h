@@ -65,6 +65,15 @@ struct ExactPastFrame {
   static bool Takes(int later) { return later == 0; }
 };
 
+// What the motion term compares.
+template <typename Policy>
+concept MotionEvidencePolicy = PointPlacePolicy<Policy> && PastFramePolicy<Policy>;
+
+// Policy: triangulations, as far apart as the window allows.
+struct OldestTriangulation : TriangulatedPlace, OldestPastFrame {};
+// Policy: the estimated landmark and its observation in one past frame, as in the paper.
+struct EstimateAndPast : EstimatedPlace, ExactPastFrame {};
+
 // Options of BuildLabelScene.
 struct LabelSceneOptions {
   FeatureNoise noise;
@@ -81,9 +90,9 @@ struct LabelSceneSteps {
   NewBodyRule new_body;
 };
 
-template <PointPlacePolicy PointPlace, PastFramePolicy PastFrame, NewBodyPolicy NewBody>
+template <MotionEvidencePolicy Evidence, NewBodyPolicy NewBody>
 constexpr LabelSceneSteps StepsOf() {
-  return {&PointPlace::Place, &PastFrame::Takes, RuleOf<NewBody>()};
+  return {&Evidence::Place, &Evidence::Takes, RuleOf<NewBody>()};
 }
 
 // Collects what is known of every point and every class (section 3.2 of the paper). The current

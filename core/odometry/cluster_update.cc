@@ -64,8 +64,7 @@ void AddBoxCenter(const FrameView& view, const BodyCenterOptions& options,
         track.world_from_object * cluster.landmarks[track.matches[i].landmark].p_in_object;
   }
   const Eigen::Vector3d surface = PrincipalAxes(points, options.extent).translation();
-  const BoxCenter box =
-      CenterFromBox(view, options.box_center, options.birth_depth, track.detection, surface);
+  const BoxCenter box = CenterFromBox(view, options.birth_depth, track.detection, surface);
   cluster.size.Add(box.size_m, box.is_whole);
   cluster.box_center.Add(track.world_from_object.Inverse(), box.center_in_world, box.information);
 }

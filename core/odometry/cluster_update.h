@@ -47,16 +47,15 @@ struct WindowReport {
 double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
                      Window& window);
 
-// Bundle adjustment of the window (static energy of section 3.3 of the paper). `Gauge` decides
-// which frames are held fixed, `Calibration` whether camera.right_field_px is.
-template <GaugePolicy Gauge, CalibrationPolicy Calibration, OutlierPolicy Outliers,
-          SolverPolicy Solver>
+// Bundle adjustment of the window (static energy of section 3.3 of the paper). The oldest frame is
+// held fixed (METHOD.md 7.4); `Calibration` decides whether camera.right_field_px is.
+template <CalibrationPolicy Calibration, OutlierPolicy Outliers, SolverPolicy Solver>
 WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,
                             const RowField& rows, Window& window) {
   WindowProblem problem = MakeFrames(window);
   const std::vector<const WindowFrame*> frames = window.Frames();
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
-    problem.is_fixed[i] = frames[i]->is_given || Gauge::Fixes(static_cast<int>(i), problem.prior);
+    problem.is_fixed[i] = i == 0 || frames[i]->is_given;
   }
   problem.is_right_field_fixed = Calibration::kFixesRightField;
   if (!Calibration::kFixesRightField) {

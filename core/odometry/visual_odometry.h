@@ -76,8 +76,7 @@ class VisualOdometry final : public Odometry {
       const ScopedStage stage(times, "associate");
       TakenFeatures taken = TakenBy(static_matches, frame.features.size());
       cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
-                                         typename Variant::BoxWeights, typename Variant::BoxCost,
-                                         typename Variant::ClassGate, typename Variant::BoxRematch>(
+                                         typename Variant::Boxes, typename Variant::BoxRematch>(
           search, PredictorOfClusters(), clusters_, cluster_rng_, taken);
       for (std::size_t q = 0; q < cluster_tracks.size(); ++q) {
         if (!cluster_tracks[q].is_tracked) continue;
@@ -98,20 +97,16 @@ class VisualOdometry final : public Odometry {
                            typename Variant::Confidence>(
           view, {scene, options_.pairwise, options_.label_matching}, window_, clusters_,
           cluster_tracks, points,
-          StepsOf<typename Variant::PointPlace, typename Variant::PastFrame,
-                  typename Variant::NewBody>(),
-          crf_memory_);
+          StepsOf<typename Variant::MotionEvidence, typename Variant::NewBody>(), crf_memory_);
       AdoptDetections(labels, clusters_, cluster_tracks);
     }
 
     // Add the frame and its landmarks to the windows (3.3, double-track frame management).
     {
       const ScopedStage stage(times, "window");
-      const BodyCenterOptions center{options_.box_center, options_.extent,
-                                     options_.clusters.birth_depth};
+      const BodyCenterOptions center{options_.extent, options_.clusters.birth_depth};
       AddStates(view, center, newest_, cluster_tracks, clusters_);
-      CreateClusters(view, center, newest_, points, labels, &Variant::BirthOrigin::Origin,
-                     clusters_);
+      CreateClusters(view, center, newest_, points, labels, &Variant::NewBody::Origin, clusters_);
       report.new_landmarks = UpdateLandmarks(
           view, {options_.NoiseOfFeatures(), options_.tracking.align_patches}, entering,
           cluster_tracks, points, labels, next_landmark_, window_, clusters_);
@@ -126,9 +121,9 @@ class VisualOdometry final : public Odometry {
         rows_.Add(RowOffsets(input.features, options_.orb.scale_factor), camera_);
       }
       const WindowReport window =
-          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration,
-                         typename Variant::Outliers, typename Variant::Solver>(
-              options_.NoiseOfFeatures(), options_.solver, rows_, window_);
+          OptimizeWindow<typename Variant::Calibration, typename Variant::Outliers,
+                         typename Variant::Solver>(options_.NoiseOfFeatures(), options_.solver,
+                                                   rows_, window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
       report.window_endings = window.endings;
@@ -149,7 +144,7 @@ class VisualOdometry final : public Odometry {
     {
       const ScopedStage stage(times, "optimize_clusters");
       report.cluster_endings =
-          OptimizeClusters<typename Variant::MotionPrior, typename Variant::Outliers,
+          OptimizeClusters<typename Variant::BodyMotion, typename Variant::Outliers,
                            typename Variant::Solver>(
               {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
               clusters_);
@@ -188,7 +183,7 @@ class VisualOdometry final : public Odometry {
 
   // Predicts clusters at the time of the current frame.
   ClusterPredictor PredictorOfClusters() const {
-    return PredictorAt<typename Variant::MotionPrior, typename Variant::Rotation>(
+    return PredictorAt<typename Variant::BodyMotion, typename Variant::BodyMotion>(
         timestamp_ns_, options_.motion_prior, options_.clusters);
   }
 
@@ -206,7 +201,7 @@ class VisualOdometry final : public Odometry {
 
   PredictorAnytime PredictorAnytimeOf() const {
     return [this](const Cluster& cluster, std::int64_t timestamp_ns) {
-      return PredictCluster<typename Variant::MotionPrior, typename Variant::Rotation>(
+      return PredictCluster<typename Variant::BodyMotion, typename Variant::BodyMotion>(
           cluster, timestamp_ns, options_.motion_prior, options_.clusters);
     };
   }
@@ -259,20 +254,16 @@ class VisualOdometry final : public Odometry {
 
   // `view` is null for a frame without a tracked camera.
   void EndClusters(const FrameView* view, FrameReport& report) {
-    if (view != nullptr) {
-      ArchiveUndetected(window_, options_.NoiseOfFeatures(), newest_, options_.clusters, clusters_);
-    }
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
-    Variant::Identity::Update({options_.identity, options_.association, options_.clusters,
-                               options_.motion_prior, newest_, predict},
-                              clusters_, cluster_rng_);
+    Variant::Identity::Update(
+        {options_.association, options_.clusters, options_.motion_prior, newest_, predict},
+        clusters_, cluster_rng_);
     std::vector<ClusterReport> described =
         DescribeClusters(options_.clusters, newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
-    const BodyPlaceOptions place{options_.box_center, options_.noise.disparity_px};
     const BoxSceneOptions boxes{options_.NoiseOfFeatures(), options_.clusters, options_.extent,
-                                place, options_.boxes};
+                                options_.boxes};
     boxes_.Describe({boxes, clusters_, view, newest_, report.world_from_camera,
                      ground_.Down(report.world_from_camera)},
                     described);
@@ -313,7 +304,7 @@ class VisualOdometry final : public Odometry {
   Rng rng_;
   Rng cluster_rng_;
   GroundDirection ground_;
-  DoubleTrack<typename Variant::MarginalizationRule, typename Variant::SpatialTrack> double_track_;
+  DoubleTrack<typename Variant::Frames, typename Variant::Frames> double_track_;
 
   RowField rows_;  // of the rig
   Window window_;

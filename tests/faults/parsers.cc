@@ -47,7 +47,7 @@ std::string Source(const std::string& name) {
 }
 
 std::string Golden(const std::string& name) {
-  return Source("tests/reports/results/golden/" + name + ".json");
+  return Source("tests/core/record/golden/" + name + ".json");
 }
 
 std::string DefaultOptions() {

@@ -51,10 +51,11 @@ TEST(Ladder, RemovingAnyRungChangesFull) {
 }
 
 TEST(Ladder, NamesDeriveFromTheRungs) {
-  EXPECT_EQ(UpTo<0>::kName, "clustervo_to_box_weights");
-  EXPECT_EQ(Without<0>::kName, "no_box_weights");
-  EXPECT_EQ(FindVariant("no_turn_prior").changes,
-            "full without this addition: a motion prior on orientations");
+  EXPECT_EQ(UpTo<0>::kName, "clustervo_to_boxes");
+  EXPECT_EQ(Without<0>::kName, "no_boxes");
+  EXPECT_EQ(FindVariant("no_left_image").changes,
+            "full without this addition: landmarks of bodies are also found if only the left image "
+            "shows them");
 }
 
 TEST(Registry, NamesAreUnique) {

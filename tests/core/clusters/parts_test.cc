@@ -147,8 +147,6 @@ struct Prediction {
 
     const Eigen::Vector3d p = predicted.world_from_object * landmark.p_in_object;
     landmark.depth_m = p.z();
-    landmark.view_in_object =
-        predicted.world_from_object.rotation().conjugate() * Eigen::Vector3d(-p.normalized());
     landmark.covariance.in_object_m2 = Eigen::Vector3d(1e-4, 2e-4, 3e-4).asDiagonal();
   }
   std::optional<PredictedLandmark> Predict() const {
@@ -179,26 +177,6 @@ TEST(PredictLandmark, InnovationSumsPositionMotionAndMeasurement) {
   EXPECT_LT((seen->innovation_px2 - position - measurement - motion_m2 * J * J.transpose()).norm(),
             1e-9);
   EXPECT_LT((seen->position_px2 - position).norm(), 1e-9);
-}
-
-TEST(PredictLandmark, IsInvisibleOnTheFarSide) {
-  Prediction p;
-  const Eigen::Quaterniond before(p.predicted.world_from_object.rotation());
-  const double limit = p.options.association.max_view_change_rad;
-  const auto turned = [&](double angle_rad) {
-    // Rotates about the point itself, so that only the viewing direction changes.
-    const Eigen::Vector3d point = At(0.5, -0.2, 6.0, 0.4) * p.landmark.p_in_object;
-    const Eigen::Vector3d axis = point.cross(Eigen::Vector3d::UnitY()).normalized();
-    const Eigen::Quaterniond after = ExpSo3(angle_rad * axis) * before;
-    p.predicted.world_from_object =
-        RigidTransform(after, Eigen::Vector3d(point - after * p.landmark.p_in_object));
-    return p.Predict().has_value();
-  };
-  EXPECT_TRUE(turned(limit - 0.01));
-  EXPECT_FALSE(turned(limit + 0.01));
-  EXPECT_FALSE(turned(3.0));
-  p.landmark.view_in_object = -p.landmark.view_in_object;
-  EXPECT_TRUE(turned(3.0));
 }
 
 TEST(PredictLandmark, IsInvisibleOutsideTheImageAndBehindTheCamera) {

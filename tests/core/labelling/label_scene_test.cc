@@ -21,7 +21,7 @@ using testing::SizeIs;
 
 constexpr ClusterId kNone{};
 
-constexpr LabelSceneSteps kOurSteps = StepsOf<TriangulatedPlace, OldestPastFrame, NearestDepths>();
+constexpr LabelSceneSteps kOurSteps = StepsOf<OldestTriangulation, NearestDepths>();
 
 // The scene of a static landmark observed in frames 1 to 3. With past_frames = 4, frame 0 is the
 // exact past frame.
@@ -43,13 +43,13 @@ TEST(BuildLabelScene, PastIsTheOldestFrameOrTheExactOne) {
   const auto oldest = SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).past;
   ASSERT_TRUE(oldest);
   EXPECT_EQ(oldest->frame, 1);
-  constexpr auto kExact = StepsOf<TriangulatedPlace, ExactPastFrame, NearestDepths>();
+  constexpr auto kExact = StepsOf<EstimateAndPast, NearestDepths>();
   EXPECT_FALSE(SceneOfThreeFrames(kExact).crf.nodes.at(0).past);
 }
 
 TEST(BuildLabelScene, LandmarkPositionIsTriangulatedOrEstimated) {
   EXPECT_FALSE(SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).estimate);
-  constexpr auto kOwn = StepsOf<EstimatedPlace, OldestPastFrame, NearestDepths>();
+  constexpr auto kOwn = StepsOf<EstimateAndPast, NearestDepths>();
   const CrfNode node = SceneOfThreeFrames(kOwn).crf.nodes.at(0);
   ASSERT_TRUE(node.estimate);
   EXPECT_NEAR(node.estimate->p_in_camera.z(), node.p_in_camera.z() + 0.5, 1e-9);
@@ -159,14 +159,11 @@ struct TwoBoxes {
   }
 
   // Returns the depth of the new body of each detection; 0 if it has none.
-  std::vector<double> Depths(const NewBodyRule& rule, double min_fill,
-                             const std::vector<char>& is_claimed) const {
+  std::vector<double> Depths(const NewBodyRule& rule, const std::vector<char>& is_claimed) const {
     const FeatureGrid grid(frame.features, test::kCamera);
     const FrameView view{frame, UseDetections::Show(frame), grid, test::kCamera, {}};
-    ExtentOptions extent;
-    extent.mode_min_fill = min_fill;
     std::vector<double> depths_m;
-    for (const auto& body : FindNewBodies(view, {rule, extent, 0.0}, is_claimed, points, nodes)) {
+    for (const auto& body : FindNewBodies(view, {rule, {}}, is_claimed, points, nodes)) {
       depths_m.push_back(body ? body->center_in_camera.z() : 0.0);
     }
     return depths_m;
@@ -176,21 +173,22 @@ struct TwoBoxes {
 constexpr NewBodyRule kNearest = RuleOf<NearestDepths>();
 
 TEST(FindNewBodies, OccludingBodyOwnsItsPointsExclusively) {
-  EXPECT_THAT(TwoBoxes().Depths(kNearest, 0.0, {0, 0}), ElementsAre(4.0, 2.0));
+  EXPECT_THAT(TwoBoxes().Depths(kNearest, {0, 0}), ElementsAre(4.0, 2.0));
 }
 
 TEST(FindNewBodies, DepthRangeMustFillTheBox) {
   TwoBoxes boxes;
   boxes.frame.detections.resize(1);
-  EXPECT_THAT(boxes.Depths(kNearest, 0.0, {0}), ElementsAre(2.0));
-  EXPECT_THAT(boxes.Depths(kNearest, 0.9, {0}), ElementsAre(4.0));
+  EXPECT_THAT(boxes.Depths(kNearest, {0}), ElementsAre(2.0));
+  boxes.frame.detections[0].box.right_px = 330.0;  // only a strip of the near body is inside
+  EXPECT_THAT(boxes.Depths(kNearest, {0}), ElementsAre(4.0));
 }
 
 TEST(FindNewBodies, NoneIfAClusterClaimsTheBoxOrOwnsThePoints) {
   TwoBoxes boxes;
-  EXPECT_THAT(boxes.Depths(kNearest, 0.0, {1, 0}), ElementsAre(0.0, 2.0));
+  EXPECT_THAT(boxes.Depths(kNearest, {1, 0}), ElementsAre(0.0, 2.0));
   for (FramePoint& point : boxes.points) point.owner = ClusterOwner(0);
-  EXPECT_THAT(boxes.Depths(kNearest, 0.0, {0, 0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(boxes.Depths(kNearest, {0, 0}), ElementsAre(0.0, 0.0));
 }
 
 }  // namespace

@@ -11,9 +11,9 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "core/files/text/number.h"
+#include "tests/core/record/result_files.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/reports/results/result_files.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {

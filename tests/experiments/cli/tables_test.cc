@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/core/record/result_files.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/reports/results/result_files.h"
 
 namespace cvo {
 namespace {

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "reports/tables/make_table.h"
+#include "tests/core/record/result_files.h"
+#include "tests/core/record/run_folder.h"
 #include "tests/reports/figures/drawn_suite.h"
-#include "tests/reports/results/result_files.h"
-#include "tests/reports/results/run_folder.h"
 
 namespace cvo::reports {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "reports/page/html.h"
-#include "tests/reports/results/result_files.h"
+#include "tests/core/record/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
 #include "tests/support/error_message.h"
 

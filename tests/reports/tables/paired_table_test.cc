@@ -8,7 +8,7 @@
 #include "reports/tables/make_table.h"
 #include "reports/tables/table.h"
 #include "reports/tables/table_texts.h"
-#include "tests/reports/results/result_files.h"
+#include "tests/core/record/result_files.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::reports {
