@@ -7,13 +7,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/files/disk.h"
+#include "core/files/atomic_file.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 
@@ -125,11 +124,9 @@ std::int64_t TextRow::Id(std::size_t column) const {
 }
 
 int TextRow::Integer(std::size_t column) const {
-  const std::int64_t value = Id(column);
-  if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max()) {
-    FailColumn(column, "a whole number");
-  }
-  return static_cast<int>(value);
+  const auto value = ParseInt(columns_[column]);
+  if (!value) FailColumn(column, "a whole number");
+  return *value;
 }
 
 std::int64_t TextRow::SecondsNs(std::size_t column) const {
@@ -223,11 +220,9 @@ std::int64_t CsvFile::Id(std::size_t row, std::size_t column) const {
 }
 
 int CsvFile::Integer(std::size_t row, std::size_t column) const {
-  const std::int64_t value = Id(row, column);
-  if (value < std::numeric_limits<int>::min() || value > std::numeric_limits<int>::max()) {
-    FailCell(row, column, "a whole number");
-  }
-  return static_cast<int>(value);
+  const auto value = ParseInt(Text(row, column));
+  if (!value) FailCell(row, column, "a whole number");
+  return *value;
 }
 
 void CsvFile::Fail(std::size_t row, const std::string& found, const std::string& expected) const {

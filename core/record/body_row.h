@@ -17,11 +17,7 @@ struct FrameErrors {
   std::vector<int> frames;  // ascending
   std::vector<double> position_m;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("frames", self.frames);
-    archive.Field("position_m", self.position_m);
-  }
+  CVO_FIELDS(frames, position_m);
 };
 
 // The largest errors over a run, angles as absolute values.
@@ -31,13 +27,7 @@ struct MaxDrift {
   double pitch_rad = 0.0;
   double yaw_rad = 0.0;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("translation_m", self.translation_m);
-    archive.Field("roll_rad", self.roll_rad);
-    archive.Field("pitch_rad", self.pitch_rad);
-    archive.Field("yaw_rad", self.yaw_rad);
-  }
+  CVO_FIELDS(translation_m, roll_rad, pitch_rad, yaw_rad);
 };
 
 // Maximum drifts under the alignments of the same names (Alignment in contract.h).
@@ -60,12 +50,7 @@ struct MaxDrifts {
     return values;
   }
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("all_poses", self.all_poses);
-    archive.Field("all_motions", self.all_motions);
-    archive.Field("first_motions", self.first_motions);
-  }
+  CVO_FIELDS(all_poses, all_motions, first_motions);
 };
 
 // The accuracy of a run on one body, as stored in result files. Errors are root mean squares over
@@ -96,33 +81,11 @@ struct BodyRow {
   FrameErrors errors;
   FrameErrors predicted;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("id", self.id);
-    archive.Field("name", self.name);
-    archive.Field("category", self.category);
-    archive.Field("mover", self.mover);
-    archive.Field("travel_m", self.travel_m);
-    archive.Field("cluster", self.cluster);
-    archive.Field("visible_frames", self.visible_frames);
-    archive.Field("estimated_frames", self.estimated_frames);
-    archive.Field("id_switches", self.id_switches);
-    archive.Field("fragments", self.fragments);
-    archive.Field("ate_m", self.ate_m);
-    archive.Field("predicted_ate_m", self.predicted_ate_m);
-    archive.Field("velocity_m_s", self.velocity_m_s);
-    archive.Field("all_pairs_rad", self.all_pairs_rad);
-    archive.Field("all_pairs_m", self.all_pairs_m);
-    archive.Field("one_frame_rad", self.one_frame_rad);
-    archive.Field("one_frame_m", self.one_frame_m);
-    archive.Field("motion_rad", self.motion_rad);
-    archive.Field("motion_m", self.motion_m);
-    archive.Added("ate_in_camera_m", self.ate_in_camera_m);
-    archive.Added("motion_in_camera_m", self.motion_in_camera_m);
-    archive.Optional("max_drift", self.max_drift);
-    archive.Field("errors", self.errors);
-    archive.Field("predicted", self.predicted);
-  }
+  CVO_RECORD(CVO_FIELD(id, name, category, mover, travel_m, cluster, visible_frames,
+                       estimated_frames, id_switches, fragments, ate_m, predicted_ate_m,
+                       velocity_m_s, all_pairs_rad, all_pairs_m, one_frame_rad, one_frame_m,
+                       motion_rad, motion_m) CVO_ADDED(ate_in_camera_m, motion_in_camera_m)
+                 CVO_OPTIONAL(max_drift) CVO_FIELD(errors, predicted));
 };
 
 }  // namespace cvo::reports

@@ -58,12 +58,7 @@ struct Visibility {
   int limit = 0;  // minimum percentage, maximum occlusion, or minimum landmarks
 
   bool operator==(const Visibility&) const = default;
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("by", self.by);
-    archive.Field("least_px", self.least_px);
-    archive.Field("limit", self.limit);
-  }
+  CVO_FIELDS(by, least_px, limit);
 };
 
 enum class Alignment {
@@ -240,11 +235,7 @@ struct FrameSpan {
   int last = 0;
 
   bool operator==(const FrameSpan&) const = default;
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("first", self.first);
-    archive.Field("last", self.last);
-  }
+  CVO_FIELDS(first, last);
 };
 inline constexpr FrameSpan kFramesOfRun = {0, -1};
 
@@ -268,25 +259,9 @@ struct Contract {
   std::optional<double> limit_m;
 
   bool operator==(const Contract&) const = default;
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Optional("subject", self.subject);
-    archive.Optional("travel_m", self.travel_m);
-    archive.Optional("travel_frames", self.travel_frames);
-    archive.Optional("poses", self.poses);
-    archive.Optional("truth", self.truth);
-    archive.Optional("camera_truth", self.camera_truth);
-    archive.Optional("visible", self.visible);
-    archive.Optional("right_shift_px", self.right_shift_px);
-    archive.Optional("alignment", self.alignment);
-    archive.Optional("pairing", self.pairing);
-    archive.Optional("matching", self.matching);
-    archive.Optional("least_landmarks", self.least_landmarks);
-    archive.Optional("frames", self.frames);
-    archive.Optional("delta", self.delta);
-    archive.Optional("aggregation", self.aggregation);
-    archive.Optional("limit_m", self.limit_m);
-  }
+  CVO_RECORD(CVO_OPTIONAL(subject, travel_m, travel_frames, poses, truth, camera_truth, visible,
+                          right_shift_px, alignment, pairing, matching, least_landmarks, frames,
+                          delta, aggregation, limit_m));
 };
 
 // Returns what must be equal for numbers of different runs to form one column. Truth and correction
@@ -305,5 +280,20 @@ std::string ContradictingField(const Contract& a, const Contract& b);
 std::vector<std::string> UnstatedFields(const Contract& contract, const Contract& wanted);
 // Returns a field as stored in files, a string without its quotes; empty if it is not stated.
 std::string FieldText(const Contract& contract, const std::string& field);
+
+// Returns a contract in words, by topic: aggregation, pairing, delta, alignment, poses, frame,
+// truth, correction. Topics that are not stated, or "none", are omitted.
+std::vector<std::pair<std::string, std::string>> ContractTexts(const Contract& contract);
+
+// Returns the truth in words, such as "devkit" or "rendered scene; visible: at least 400 px of its
+// mask and 30 % unoccluded".
+std::string TruthText(const Contract& contract);
+
+// Returns the correction in words, such as "u_right shifted by 0.16 px"; empty if the calibration
+// is as published.
+std::string CorrectionText(const Contract& contract);
+
+// Returns delta and alignment for the titles of figures, such as "delta all, not aligned".
+std::string RelationText(const Contract& contract);
 
 }  // namespace cvo::reports

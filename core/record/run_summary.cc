@@ -3,8 +3,6 @@
 #include "core/record/run_summary.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "core/base/lists.h"
 #include "core/files/text_file.h"
@@ -50,39 +48,7 @@ void CheckBodies(const std::vector<BodyRow>& bodies, const std::string& where) {
   }
 }
 
-void CheckSame(const RunSummary& run, const std::string& what, const std::string& found,
-               const std::string& expected) {
-  if (found != expected) {
-    ThrowError(run.file.string(), StrCat("the result of ", what, " ", Quoted(found)),
-               Quoted(expected) + ", as plan.json says");
-  }
-}
-
-std::set<std::string> OraclesOf(const RunSummary& run) {
-  const Json* oracle = internal::FindField(run.given, "oracle", run.file.string());
-  if (oracle == nullptr) return {};
-  const auto names = FromJson<std::vector<std::string>>(*oracle, run.file.string() + ", oracle");
-  return {names.begin(), names.end()};
-}
-
 }  // namespace
-
-void CheckRunOf(const ExpectedRun& expected, const RunSummary& run) {
-  CheckSame(run, "job", run.job, expected.job);
-  CheckSame(run, "variant", run.variant, expected.variant);
-  CheckSame(run, "seed", StrCat(run.seed), StrCat(expected.seed));
-  if (!expected.content.empty()) CheckSame(run, "data", run.sequence.content, expected.content);
-  const std::map<std::string, std::string> options = FlatJson(run.options);
-  for (const auto& [path, value] : expected.parameters.items()) {
-    const auto found = options.find(path);
-    if (found == options.end()) continue;  // a parameter of the scene
-    const Json is = ParseJson(found->second, run.file.string());
-    if (is != value) CheckSame(run, path, is.dump(), value.dump());
-  }
-  if (OraclesOf(run) != std::set<std::string>(expected.oracle.begin(), expected.oracle.end())) {
-    ThrowError(run.file.string(), "the result of other oracles", "those of plan.json");
-  }
-}
 
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics) {

@@ -2,19 +2,139 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/files/json/json_record.h"
 #include "core/record/body_row.h"
-#include "core/record/build_info.h"
-#include "core/record/calibration_state.h"
-#include "core/record/metric_value.h"
+#include "core/record/contract.h"
 
 namespace cvo::reports {
+
+struct LibraryVersions {
+  std::string opencv;
+  std::string eigen;
+
+  CVO_RECORD(CVO_ADDED(opencv, eigen));
+};
+
+// The build of the program that made a run.
+struct BuildInfo {
+  std::string version;
+  std::string estimator_sources;   // SHA-256 over core, variants and the readers
+  std::string evaluation_sources;  // SHA-256 over metrics and runner
+  std::string compiler;
+  std::string build_type;
+  std::string flags;
+  LibraryVersions libraries;
+  std::string cpu_level;  // CpuLevelName
+  std::string identity;   // hash of the fields above
+  std::string commit;     // for human readers; with "+changes" if the sources differ from it
+
+  template <typename Self, typename Archive>
+  static void VisitIdentity(Self& self, Archive& archive) {
+    archive.Added("version", self.version);
+    archive.Added("estimator_sources", self.estimator_sources);
+    archive.Added("evaluation_sources", self.evaluation_sources);
+    archive.Added("compiler", self.compiler);
+    archive.Added("build_type", self.build_type);
+    archive.Added("flags", self.flags);
+    archive.Added("libraries", self.libraries);
+    archive.Added("cpu_level", self.cpu_level);
+  }
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    VisitIdentity(self, archive);
+    archive.Field("identity", self.identity);
+    archive.Added("commit", self.commit);
+  }
+
+  // Returns what a program of the same sources must match to give the same bytes: compiler, flags,
+  // libraries and CPU level. Empty if the run does not state them.
+  std::string Platform() const {
+    if (compiler.empty() || cpu_level.empty()) return "";
+    return StrCat(compiler, ", ", build_type, ", ", flags, ", OpenCV ", libraries.opencv,
+                  ", Eigen ", libraries.eigen, ", ", cpu_level);
+  }
+};
+
+// The estimated calibration error: the coefficients of StereoCamera::right_field_px and their
+// standard deviations.
+struct CalibrationState {
+  std::array<double, 6> right_field_px{};
+  std::array<double, 6> sigma_px{};
+
+  // Over the image.
+  double Mean_px() const { return right_field_px[0]; }
+  double MeanSigma_px() const { return sigma_px[0]; }
+
+  CVO_FIELDS(right_field_px, sigma_px);
+};
+
+// One value of a run, as stored in result files.
+struct MetricValue {
+  std::string name;    // name of a form in the catalogue
+  double value = 0.0;  // finite
+  MetricUnit unit = MetricUnit::kOne;
+  std::int64_t n = 0;  // number of errors aggregated
+  Contract contract;
+  std::string left_out;  // what was left out, with counts; not part of the contract
+
+  CVO_RECORD(CVO_FIELD(name, value, unit, n, contract) CVO_OPTIONAL(left_out));
+};
+
+struct StageSummary {
+  double median_ms = 0.0;
+  double mean_ms = 0.0;
+  double p95_ms = 0.0;
+  double total_ms = 0.0;
+
+  CVO_FIELDS(median_ms, mean_ms, p95_ms, total_ms);
+};
+
+// Paths of a run's input and output on the machine where it was made, with the settings of the
+// input.
+struct RunPaths {
+  std::string sequence;
+  std::string output;
+  std::optional<std::string> labels;      // file; empty: those in the folder
+  std::optional<std::string> detections;  // file, level of a scene or "labels"
+  std::optional<int> detections_camera;   // image_0X; empty: the left image that was read
+  std::optional<double> min_score;
+
+  CVO_RECORD(CVO_FIELD(sequence, output)
+                 CVO_OPTIONAL(labels, detections, detections_camera, min_score));
+};
+
+// timing.json: where and when a run was made, and how long it took.
+struct TimingData {
+  static constexpr int kSchemaVersion = 1;
+  static constexpr const char* kKind = "timing";
+
+  std::string job;
+  std::string date;  // UTC, ISO 8601
+  std::string host;
+  std::string cpu;
+  int cpus = 0;
+  int threads = 1;
+  RunPaths paths;
+  double peak_memory_mb = 0.0;  // 10^6 bytes, of the whole process
+  double wall_s = 0.0;
+  double frames_per_second = 0.0;
+  std::map<std::string, StageSummary> stages;
+  Json frames = Json::array();  // {frame, <stage>_ms ...}
+
+  CVO_FIELDS(job, date, host, cpu, cpus, threads, paths, peak_memory_mb, wall_s, frames_per_second,
+             stages, frames);
+};
 
 struct SequenceInfo {
   std::string name;
@@ -26,15 +146,7 @@ struct SequenceInfo {
 
   FrameSpan range() const { return {first_frame, first_frame + frames - 1}; }
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("type", self.type);
-    archive.Field("pair", self.pair);
-    archive.Field("first_frame", self.first_frame);
-    archive.Field("frames", self.frames);
-    archive.Field("total_frames", self.total_frames);
-  }
+  CVO_FIELDS(name, type, pair, first_frame, frames, total_frames);
 };
 
 struct CameraInfo {
@@ -47,17 +159,8 @@ struct CameraInfo {
   double baseline_m = 0.0;
   double right_shift_px = 0.0;  // correction of the published calibration; 0: as published
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Added("width_px", self.width_px);
-    archive.Added("height_px", self.height_px);
-    archive.Added("fx_px", self.fx_px);
-    archive.Added("fy_px", self.fy_px);
-    archive.Added("cx_px", self.cx_px);
-    archive.Added("cy_px", self.cy_px);
-    archive.Added("baseline_m", self.baseline_m);
-    archive.Added("right_shift_px", self.right_shift_px);
-  }
+  CVO_RECORD(CVO_ADDED(width_px, height_px, fx_px, fy_px, cx_px, cy_px, baseline_m,
+                       right_shift_px));
 };
 
 // The sequence as it was read.
@@ -73,36 +176,17 @@ struct RunSequence : SequenceInfo {
   std::vector<std::string> warnings;  // about implausible timestamps and truth
   std::optional<Json> layout;         // settings with which its folder was read
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("type", self.type);
-    archive.Added("dataset", self.dataset);
-    archive.Field("pair", self.pair);
-    archive.Added("groundtruth", self.groundtruth);
-    archive.Field("first_frame", self.first_frame);
-    archive.Field("frames", self.frames);
-    archive.Field("total_frames", self.total_frames);
-    archive.Added("labels", self.labels);
-    archive.Added("detections", self.detections);
-    archive.Added("detections_hash", self.detections_hash);
-    archive.Added("content", self.content);
-    archive.Added("camera", self.camera);
-    archive.Optional("perturbation", self.perturbation);
-    archive.Optional("warnings", self.warnings);
-    archive.Optional("layout", self.layout);
-  }
+  CVO_RECORD(CVO_FIELD(name, type) CVO_ADDED(dataset) CVO_FIELD(pair) CVO_ADDED(groundtruth)
+                 CVO_FIELD(first_frame, frames, total_frames)
+                     CVO_ADDED(labels, detections, detections_hash, content, camera)
+                         CVO_OPTIONAL(perturbation, warnings, layout));
 };
 
 struct RunBodies {
   std::vector<BodyRow> refined;
   std::vector<BodyRow> causal;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("refined", self.refined);
-    archive.Field("causal", self.causal);
-  }
+  CVO_FIELDS(refined, causal);
 };
 
 // result.json without its data on single frames and clusters.
@@ -126,40 +210,13 @@ struct RunSummary {
   std::optional<RunBodies> bodies;              // empty without truth
   std::optional<CalibrationState> calibration;  // at the end; empty if it was not estimated
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("job", self.job);
-    archive.Field("status", self.status);
-    archive.Added("message", self.message);
-    archive.Field("variant", self.variant);
-    archive.Optional("system", self.system);
-    archive.Field("seed", self.seed);
-    archive.Field("sequence", self.sequence);
-    archive.Added("options", self.options);
-    archive.Added("given", self.given);
-    archive.Optional("detection_counts", self.detection_counts);
-    archive.Added("build", self.build);
-    archive.Added("metrics", self.metrics);
-    archive.Added("bodies", self.bodies);
-    archive.Optional("calibration", self.calibration);
-  }
+  CVO_RECORD(CVO_FIELD(job, status) CVO_ADDED(message) CVO_FIELD(variant) CVO_OPTIONAL(system)
+                 CVO_FIELD(seed, sequence) CVO_ADDED(options, given) CVO_OPTIONAL(detection_counts)
+                     CVO_ADDED(build, metrics, bodies) CVO_OPTIONAL(calibration));
 };
 
 // Returns the variant name of a run that scores another system's files.
 inline std::string SystemVariant(const std::string& system) { return "system:" + system; }
-
-// What a plan states about the result of a job. `content` is empty if it is not stated.
-struct ExpectedRun {
-  std::string job;
-  std::string variant;
-  std::uint64_t seed = 0;
-  std::string content;
-  std::vector<std::string> oracle;
-  Json parameters = Json::object();  // value by dotted path; only options are compared
-};
-
-// Throws Error naming the first thing that the result states differently.
-void CheckRunOf(const ExpectedRun& expected, const RunSummary& run);
 
 // Reads a result, keeping only the metrics of these names. Throws Error naming the file and the
 // field, however deep: another schema version, an incomplete file, not a run, an invalid number.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/record/suite_runs.h"
 
-#include "core/record/plan_file.h"
+#include <set>
 
 namespace cvo::reports {
 namespace {
@@ -22,25 +22,30 @@ std::string Joined(const std::vector<std::string>& texts) {
 std::string OrNone(const std::string& text) { return text.empty() ? "none" : text; }
 
 PlannedRun Planned(const PlanJob& job) {
-  PlannedRun run;
-  run.system = !job.system.empty();
+  PlannedRun run{job, {}};
   run.keys["sequence"] = job.sequence;
-  run.family = job.family;
-  run.split = job.split;
   run.keys["detections"] = OrNone(job.detections);
-  run.keys["variant"] = run.system ? job.system : job.variant;
+  run.keys["variant"] = job.system.empty() ? job.variant : job.system;
   run.keys["oracle"] = OrNone(Joined(job.oracle));
   for (const auto& [path, value] : job.parameters.items()) {
     run.keys[path] = value.is_string() ? value.get<std::string>() : value.dump();
   }
-  run.job = job.job;
-  run.variant = run.system ? SystemVariant(job.system) : job.variant;
-  run.seed = job.seed;
-  run.content = job.content;
-  run.oracle = job.oracle;
-  run.parameters = job.parameters;
-  run.missing = job.missing;
   return run;
+}
+
+void CheckSame(const RunSummary& run, const std::string& what, const std::string& found,
+               const std::string& expected) {
+  if (found != expected) {
+    ThrowError(run.file.string(), StrCat("the result of ", what, " ", Quoted(found)),
+               Quoted(expected) + ", as plan.json says");
+  }
+}
+
+std::set<std::string> OraclesOf(const RunSummary& run) {
+  const Json* oracle = internal::FindField(run.given, "oracle", run.file.string());
+  if (oracle == nullptr) return {};
+  const auto names = FromJson<std::vector<std::string>>(*oracle, run.file.string() + ", oracle");
+  return {names.begin(), names.end()};
 }
 
 void ReadResult(const fs::path& file, const std::vector<std::string>& metrics, SuiteRun& run) {
@@ -73,18 +78,36 @@ void ReadFailure(const fs::path& file, SuiteRun& run) {
 
 }  // namespace
 
+void PlanJob::Check(const std::string& where) const {
+  if (job.empty() && missing.empty()) ThrowError(where, "no job and no reason why", "one of them");
+  if (job.starts_with('.') || job.find('/') != std::string::npos) {
+    ThrowError(where + ", field job", Quoted(job), "the name of its folder");
+  }
+}
+
+void CheckRunOf(const PlanJob& job, const RunSummary& run) {
+  CheckSame(run, "job", run.job, job.job);
+  CheckSame(run, "variant", run.variant, job.ResultVariant());
+  CheckSame(run, "seed", StrCat(run.seed), StrCat(job.seed));
+  if (!job.content.empty()) CheckSame(run, "data", run.sequence.content, job.content);
+  const std::map<std::string, std::string> options = FlatJson(run.options);
+  for (const auto& [path, value] : job.parameters.items()) {
+    const auto found = options.find(path);
+    if (found == options.end()) continue;  // a parameter of the scene
+    const Json is = ParseJson(found->second, run.file.string());
+    if (is != value) CheckSame(run, path, is.dump(), value.dump());
+  }
+  if (OraclesOf(run) != std::set<std::string>(job.oracle.begin(), job.oracle.end())) {
+    ThrowError(run.file.string(), "the result of other oracles", "those of plan.json");
+  }
+}
+
 SuitePlan ReadPlan(const fs::path& plan_file) {
   if (!fs::exists(plan_file)) {
     ThrowError(plan_file.string(), "no such file", "the folder that a suite was run to");
   }
   const auto file = ReadRecord<PlanFile>(plan_file);
-  SuitePlan plan{.file = plan_file,
-                 .name = file.suite.name,
-                 .about = file.suite.about,
-                 .rows = file.table.rows,
-                 .metrics = file.table.metrics,
-                 .reference = file.table.reference,
-                 .runs = {}};
+  SuitePlan plan{file.table, plan_file, file.suite.name, file.suite.about, {}};
   for (const PlanJob& job : file.jobs) plan.runs.push_back(Planned(job));
   if (plan.runs.empty())
     ThrowError(plan_file.string() + ", field jobs", "none", "at least one job");

@@ -20,48 +20,33 @@ struct TruthPoses {
   std::vector<Pose> poses;
   std::vector<bool> visible;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("frames", self.frames);
-    archive.Field("poses", self.poses);
-    archive.Field("visible", self.visible);
-  }
+  CVO_FIELDS(frames, poses, visible);
 };
 
 struct FramePositions {
   std::vector<int> frames;
   std::vector<Position> positions_m;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("frames", self.frames);
-    archive.Field("positions_m", self.positions_m);
-  }
+  CVO_FIELDS(frames, positions_m);
 };
 
-struct TruthOfBody {
+struct JudgedBody {
   int id = 0;
   std::string name;
   std::string category;
   bool mover = false;
   double diagonal_m = 0.0;    // of its box
   std::int64_t cluster = -1;  // cluster whose poses are scored; -1: none
+
+  CVO_FIELDS(id, name, category, mover, diagonal_m, cluster);
+};
+
+struct TruthOfBody : JudgedBody {
   TruthPoses truth;
   FramePositions estimated;  // positions from which its ATE is computed
   FramePositions predicted;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("id", self.id);
-    archive.Field("name", self.name);
-    archive.Field("category", self.category);
-    archive.Field("mover", self.mover);
-    archive.Field("diagonal_m", self.diagonal_m);
-    archive.Field("cluster", self.cluster);
-    archive.Field("truth", self.truth);
-    archive.Field("estimated", self.estimated);
-    archive.Field("predicted", self.predicted);
-  }
+  CVO_RECORD(JudgedBody::VisitFields(self, archive); CVO_FIELD(truth, estimated, predicted));
 };
 
 // truth.json: the truth of a run in the world frame of the run, which is that of the first left
@@ -74,12 +59,7 @@ struct TruthData {
   std::vector<std::optional<Pose>> camera;  // by frame; empty: only bodies have truth
   std::vector<TruthOfBody> bodies;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("job", self.job);
-    archive.Field("camera", self.camera);
-    archive.Field("bodies", self.bodies);
-  }
+  CVO_FIELDS(job, camera, bodies);
 };
 
 }  // namespace cvo::reports

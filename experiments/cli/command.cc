@@ -2,16 +2,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/cli/command.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
 #include <optional>
+#include <ostream>
+#include <thread>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
+#include "core/files/text/utf8.h"
 #include "core/files/text_file.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/record/build_identity.h"
+#include "experiments/runner/identity.h"
 
 namespace cvo {
 
@@ -55,5 +65,172 @@ std::string VersionText() {
                 build.flags, "\nlibraries  OpenCV ", build.libraries.opencv, ", Eigen ",
                 build.libraries.eigen, "\nCPU level  ", build.cpu_level);
 }
+
+void CheckNoFolder(const char* flag, const std::filesystem::path& file) {
+  if (!std::filesystem::is_directory(file)) return;
+  throw UsageError(StrCat(flag, ": found the folder ", file.string(), ", expected a file"));
+}
+
+void AddQuiet(CLI::App& app, bool& quiet) {
+  app.add_flag("-q,--quiet", quiet, "do not print progress to stderr");
+}
+
+int DefaultThreads() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
+
+void AddThreads(CLI::App& app, int& threads) {
+  threads = DefaultThreads();
+  app.add_option(
+         "--threads", threads,
+         "total number of threads, which does not affect the results; default: number of CPUs")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+}
+
+CLI::Option* AddSeed(CLI::App& app, std::optional<std::uint64_t>& seed, const char* meaning) {
+  const auto parse = [&seed](const std::string& text) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+      throw CLI::ValidationError("--seed",
+                                 "found '" + text + "', expected an integer in [0, 2^64)");
+    }
+    seed = value;
+  };
+  return app.add_option_function<std::string>("--seed", parse, meaning)->type_name("N");
+}
+
+namespace {
+
+// A global, because a signal handler can access nothing else.
+volatile std::sig_atomic_t stop_requested = 0;
+
+void NoteSignal(int) { stop_requested = 1; }
+
+void Handle(void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+}  // namespace
+
+void TextTable::Add(std::vector<std::string> row) {
+  Require(row.size() == rows_.front().size(), "TextTable::Add: one cell per column");
+  rows_.push_back(std::move(row));
+}
+
+std::vector<std::string> TextTable::Lines() const {
+  std::vector<std::size_t> widths(rows_.front().size(), 0);
+  for (const std::vector<std::string>& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], Width(row[i]));
+  }
+  std::vector<std::string> lines;
+  for (const std::vector<std::string>& row : rows_) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += row[i];
+      if (i + 1 < row.size()) line.append(widths[i] - Width(row[i]) + 2, ' ');
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+void TextTable::Print(std::ostream& out) const {
+  for (const std::string& line : Lines()) out << line << '\n';
+}
+
+std::string ReadableNumber(double value) { return FormatGeneral(value, 4); }
+
+std::string FrameRateText(double frames_per_s) {
+  const std::string number = ReadableNumber(frames_per_s);
+  return number + (number == "1" ? " frame/s" : " frames/s");
+}
+
+Progress::Progress(bool quiet, std::string unit)
+    : unit_(std::move(unit)),
+      style_(quiet                     ? Style::kNone
+             : ::isatty(STDERR_FILENO) ? Style::kBar
+                                       : Style::kLines) {}
+
+Progress::~Progress() { Erase(); }
+
+void Progress::Erase() const {
+  if (style_ == Style::kBar) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::Report(std::size_t done, std::size_t total, const std::string& stage) {
+  if (stage != stage_) {
+    stage_ = stage;
+    start_ = Clock::now();
+    shown_tenths_ = 0;
+    if (style_ != Style::kNone) Note(stage);
+  }
+  if (style_ == Style::kBar) PrintBar(done, total);
+  if (style_ == Style::kLines) PrintLine(done, total);
+}
+
+void Progress::Note(const std::string& line) const {
+  Erase();
+  std::fprintf(stderr, "%s\n", Printable(line).c_str());
+}
+
+std::function<void(std::size_t, std::size_t)> Progress::Reporter() {
+  return [this](std::size_t done, std::size_t total) { Report(done, total); };
+}
+
+std::string Progress::Text(std::size_t done, std::size_t total) const {
+  const std::string counts = StrCat(done, "/", total, " ", unit_);
+  if (done == 0) return counts;
+  const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
+  const double rate = static_cast<double>(done) / std::max(elapsed_s, 1e-9);
+  const bool slow = rate < 1.0;
+  return StrCat(counts, "  ", FormatFixed(slow ? 60.0 * rate : rate, 1), " ", unit_,
+                slow ? "/min  " : "/s  ", DurationText(static_cast<double>(total - done) / rate),
+                " left");
+}
+
+void Progress::PrintBar(std::size_t done, std::size_t total) {
+  const Clock::time_point now = Clock::now();
+  if (now - shown_ < std::chrono::milliseconds(100) && done > 0 && done < total) return;
+  shown_ = now;
+  constexpr std::size_t kWidth = 30;
+  const std::size_t filled = kWidth * done / total;
+  const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
+  std::fprintf(stderr, "\r[%s] %s\033[K", bar.c_str(), Text(done, total).c_str());
+  std::fflush(stderr);
+}
+
+void Progress::PrintLine(std::size_t done, std::size_t total) {
+  const std::size_t tenths = 10 * done / total;
+  if (tenths == shown_tenths_) return;
+  shown_tenths_ = tenths;
+  std::fprintf(stderr, "%3zu %%  %s\n", 100 * done / total, Text(done, total).c_str());
+}
+
+std::string DurationText(double seconds) {
+  const long whole = std::lround(std::ceil(seconds));
+  if (whole < 60) return StrCat(whole, " s");
+  const bool hours = whole >= 6000;
+  const long units = hours ? whole / 60 : whole;
+  return StrCat(units / 60, units % 60 < 10 ? ":0" : ":", units % 60, hours ? " h" : " min");
+}
+
+void PrintNotice(const std::string& line) {
+  if (::isatty(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
+  std::cerr << "clustervo: " << line << '\n';
+}
+
+StopSignal::StopSignal() {
+  stop_requested = 0;
+  Handle(NoteSignal);
+}
+
+StopSignal::~StopSignal() { Handle(SIG_DFL); }
+
+bool StopSignal::Requested() const { return stop_requested != 0; }
 
 }  // namespace cvo

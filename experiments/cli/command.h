@@ -3,11 +3,27 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "experiments/datasets/sequence.h"
+
 namespace cvo {
+
+// A request that is impossible whatever the files contain: exit code 2, as for wrong flags.
+class UsageError : public Error {
+ public:
+  using Error::Error;
+};
 
 // A subcommand. Its flags are parsed into variables that `run` captures; `run` returns the exit
 // code.
@@ -26,7 +42,6 @@ Command AddReportCommand(CLI::App& program);
 Command AddOverlayCommand(CLI::App& program);
 Command AddPlotCommand(CLI::App& program);
 Command AddExplainCommand(CLI::App& program);
-Command AddManualCommand(CLI::App& program);
 Command AddImportCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
 Command AddListCommand(CLI::App& program);
@@ -42,6 +57,27 @@ Command Group(CLI::App& app, std::vector<Command> commands);
 // an empty string.
 std::string FiniteProblem(const std::string& text);
 
+// Checks that a number is finite and in [low, high].
+template <typename Number>
+CLI::Validator Within(Number low, Number high) {
+  return {[range = CLI::Range(low, high)](std::string& text) {
+            const std::string problem = range(text);
+            return problem.empty() ? FiniteProblem(text) : problem;
+          },
+          ""};
+}
+
+// Adds flags and arguments to a command. `kind`: what help shows for the value.
+struct FlagAdder {
+  CLI::App& app;
+
+  template <typename Value>
+  CLI::Option* operator()(const char* name, Value& value, const char* kind,
+                          const std::string& meaning) const {
+    return app.add_option(name, value, meaning)->type_name(kind);
+  }
+};
+
 // Checks that a flag's value is one of these names, which the flag's help lists. The message for an
 // unknown name suggests the nearest one.
 CLI::Validator OneOf(std::vector<std::string> names);
@@ -56,13 +92,166 @@ std::string VersionText();
 // A subcommand of `clustervo eval`, of its own file.
 Command AddEvalBoxesCommand(CLI::App& eval);
 
-// The subcommands of `clustervo synth`.
-Command AddSynthRenderCommand(CLI::App& synth);
-Command AddSynthPreviewCommand(CLI::App& synth);
-
 // The subcommands of `clustervo experiment`.
 Command AddExperimentTableCommand(CLI::App& experiment);
 Command AddExperimentCompareCommand(CLI::App& experiment);
-Command AddExperimentStatusCommand(CLI::App& experiment);
+
+// Throws UsageError if a folder was given to a flag that takes a file.
+void CheckNoFolder(const char* flag, const std::filesystem::path& file);
+
+// Add -q, and --threads with the number of CPUs as its default. Every long command has them.
+void AddQuiet(CLI::App& app, bool& quiet);
+void AddThreads(CLI::App& app, int& threads);
+// The number of CPUs.
+int DefaultThreads();
+// Adds --seed, whose value is read exactly: the flag parser would wrap, saturate or read octal.
+CLI::Option* AddSeed(CLI::App& app, std::optional<std::uint64_t>& seed, const char* meaning);
+
+// Returns load(). If `name` is not a file, an Error thrown by load() is wrong usage: UsageError.
+template <typename Load>
+auto LoadNamed(const std::string& name, const Load& load) {
+  try {
+    return load();
+  } catch (const Error& error) {
+    std::error_code none;
+    if (std::filesystem::exists(name, none)) throw;
+    throw UsageError(error.what());
+  }
+}
+
+// A table of text, with columns aligned by spaces.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> header) : rows_{std::move(header)} {}
+
+  // Appends a row, which must have as many cells as the header.
+  void Add(std::vector<std::string> row);
+  // Returns one line per row, the header first.
+  std::vector<std::string> Lines() const;
+  void Print(std::ostream& out) const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+// A number for display, with four significant digits.
+std::string ReadableNumber(double value);
+
+// "1 frame/s", "12.5 frames/s".
+std::string FrameRateText(double frames_per_s);
+
+// "48 s", "3:07 min", "2:05 h".
+std::string DurationText(double seconds);
+
+// Shows progress on stderr: on a terminal, a bar with the rate and the time left; otherwise a line
+// after every tenth of the work. Nothing is shown before the first report.
+class Progress {
+ public:
+  // `unit`: what is counted.
+  explicit Progress(bool quiet, std::string unit = "frames");
+  ~Progress();  // erases the bar
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  // With another `stage` than before, prints its name and starts a new bar.
+  void Report(std::size_t done, std::size_t total, const std::string& stage = "");
+  // Prints one line, even if quiet. The bar reappears with the next report.
+  void Note(const std::string& line) const;
+  // Report, for as long as this object exists.
+  std::function<void(std::size_t, std::size_t)> Reporter();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  enum class Style { kNone, kBar, kLines };
+
+  void Erase() const;
+  void PrintBar(std::size_t done, std::size_t total);
+  void PrintLine(std::size_t done, std::size_t total);
+  // "3/8 jobs  2.0 jobs/s  2:30 min left"; slow rates are per minute.
+  std::string Text(std::size_t done, std::size_t total) const;
+
+  std::string unit_;
+  Style style_;
+  std::string stage_;
+  Clock::time_point start_ = Clock::now();  // of the stage
+  Clock::time_point shown_ = start_;
+  std::size_t shown_tenths_ = 0;
+};
+
+// Prints "clustervo: <line>" on stderr, in place of a bar.
+void PrintNotice(const std::string& line);
+
+// Exit code of a command that was stopped by SIGINT or SIGTERM.
+inline constexpr int kInterrupted = 130;
+
+// While an instance exists, the first SIGINT and the first SIGTERM are only recorded; a second
+// signal of the same kind ends the program.
+class StopSignal {
+ public:
+  StopSignal();
+  ~StopSignal();
+  StopSignal(const StopSignal&) = delete;
+  StopSignal& operator=(const StopSignal&) = delete;
+
+  bool Requested() const;
+};
+
+// Every command obtains the places it writes to from these functions, before it does any work. Each
+// function throws UsageError if the place, with links resolved, is a sequence or lies in one, lies
+// in a folder where a suite keeps its runs, is one of the folders in `read`, or contains a file of
+// `read` under a name that would be written. `names` and errors are those of OutputFolder.
+OutputFolder OpenOutput(const std::filesystem::path& folder, const std::vector<std::string>& names,
+                        const std::vector<std::filesystem::path>& read);
+
+// For a file that the user named: checks that WriteOutputFile will be allowed to write it.
+OutputFolder CheckOutputFile(const std::filesystem::path& file,
+                             const std::vector<std::filesystem::path>& read);
+// Writes the file completely or not at all, and creates its folder if necessary. Throws Error
+// naming what is in the way.
+void WriteOutputFile(const std::filesystem::path& file, const std::string& content,
+                     const std::vector<std::filesystem::path>& read);
+
+// For a folder that will become a sequence. It may replace a sequence, but not lie in one.
+void CheckNewSequence(const std::filesystem::path& folder,
+                      const std::vector<std::filesystem::path>& read);
+
+// The folders from which a sequence is read.
+std::vector<std::filesystem::path> FoldersOf(const Sequence& sequence);
+
+// Checks that OpenOutput cannot make: whether an output would be mixed with other results or with
+// the user's own files. The first three throw UsageError, before any work is done.
+
+// Throws if the output is, lies in or contains a folder of `inputs`, or is the folder of a file of
+// `inputs`. Paths that are empty or do not exist are ignored.
+void CheckApartFrom(const std::vector<std::filesystem::path>& inputs,
+                    const std::filesystem::path& output);
+
+// For the output of a run: throws if it is the folder of a suite or lies in the folder of another
+// run.
+void CheckPlaceOfRun(const std::filesystem::path& output);
+
+// For the output of a suite: throws if it is the folder of a run or of a suite with another name. A
+// plan.json that cannot be read counts as none.
+void CheckPlaceOfSuite(const std::filesystem::path& output, const std::string& suite);
+
+// For a folder that is read as a suite's folder: throws Error if it contains the suites of a
+// collection instead.
+void CheckNoCollection(const std::filesystem::path& folder);
+
+// A new folder in the system's folder for temporary files, removed by the destructor. The
+// constructor also removes the folders of killed processes. Throws Error if the folder cannot be
+// created.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 }  // namespace cvo

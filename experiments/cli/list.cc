@@ -11,12 +11,8 @@
 #include "core/interface/options.h"
 #include "core/record/metric_catalogue.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/run/text_table.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/job_input.h"
-#include "experiments/suite/shipped/shipped_suites.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
@@ -99,8 +95,8 @@ int ListSuites() {
                std::to_string(suite.seeds.size()), std::to_string(ExpandSuite(suite).size()),
                suite.about});
   }
-  for (const std::string& name : CollectionNames()) {
-    table.Add({name, "", "", "", "", "", "", FindCollection(name)->about});
+  for (const ShippedSuite& shipped : ShippedCollections()) {
+    table.Add({shipped.name, "", "", "", "", "", "", FindCollection(shipped.name)->about});
   }
   table.Print(std::cout);
   return 0;
@@ -186,16 +182,14 @@ int List(const std::string& what, const std::string& family, bool json) {
 Command AddListCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "list", "List variants, options, metrics, suites, or scenes and families of scenes");
+  const FlagAdder add{*app};
   const auto what = std::make_shared<std::string>();
   const auto family = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
-  app->add_option("WHAT", *what, "variants, options, metrics, suites or scenes")
-      ->type_name("")
+  add("WHAT", *what, "", "variants, options, metrics, suites or scenes")
       ->required()
       ->check(OneOf({"variants", "options", "metrics", "suites", "scenes"}));
-  app->add_option("FAMILY", *family,
-                  "with scenes: a family or a JSON file, of which to list the knobs")
-      ->type_name("");
+  add("FAMILY", *family, "", "with scenes: a family or a JSON file, of which to list the knobs");
   app->add_flag("--json", *json, "print JSON (variants, options and metrics)");
   app->footer(
       "Change options with clustervo run ... --set window.spatial=5, or with --config FILE.json:\n"

@@ -9,8 +9,11 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <mutex>
 #include <new>
 #include <opencv2/core/utility.hpp>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,13 +22,69 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text/utf8.h"
 #include "core/files/text_file.h"
-#include "experiments/cli/clean_output.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/run/sequence_flags.h"
+#include "experiments/cli/run/run.h"
 
 namespace cvo {
 namespace {
+
+// Makes everything that is printed to a stream plain text for as long as this object exists.
+// Characters that a terminal would interpret (escape sequences, line erasure, changes of writing
+// direction), which names of files, keys and suites may contain, become U+FFFD. Text is passed on
+// in whole lines; an incomplete line is passed on when the stream is flushed.
+class CleanOutput : public std::streambuf {
+ public:
+  explicit CleanOutput(std::ostream& stream) : stream_(stream), target_(stream.rdbuf(this)) {}
+  ~CleanOutput() override;
+  CleanOutput(const CleanOutput&) = delete;
+  CleanOutput& operator=(const CleanOutput&) = delete;
+
+ protected:
+  int_type overflow(int_type character) override;
+  std::streamsize xsputn(const char* text, std::streamsize size) override;
+  int sync() override;
+
+ private:
+  // Cleans and passes on the first `size` waiting bytes. Returns whether all of them could be
+  // written.
+  bool Pass(std::size_t size);
+
+  std::ostream& stream_;
+  std::streambuf* target_;
+  std::mutex mutex_;     // several threads print notices
+  std::string waiting_;  // the incomplete last line
+};
+
+CleanOutput::~CleanOutput() {
+  Pass(waiting_.size());
+  stream_.rdbuf(target_);
+}
+
+CleanOutput::int_type CleanOutput::overflow(int_type character) {
+  if (traits_type::eq_int_type(character, traits_type::eof()))
+    return traits_type::not_eof(character);
+  const char byte = traits_type::to_char_type(character);
+  return xsputn(&byte, 1) == 1 ? character : traits_type::eof();
+}
+
+std::streamsize CleanOutput::xsputn(const char* text, std::streamsize size) {
+  const std::lock_guard lock(mutex_);
+  waiting_.append(text, static_cast<std::size_t>(size));
+  return Pass(waiting_.rfind('\n') + 1) ? size : 0;  // npos + 1 = 0
+}
+
+int CleanOutput::sync() {
+  const std::lock_guard lock(mutex_);
+  const bool passed = Pass(waiting_.size());
+  return target_->pubsync() == 0 && passed ? 0 : -1;
+}
+
+bool CleanOutput::Pass(std::size_t size) {
+  const std::string clean = PrintableLines(waiting_.substr(0, size));
+  waiting_.erase(0, size);
+  const auto length = static_cast<std::streamsize>(clean.size());
+  return target_->sputn(clean.data(), length) == length;
+}
 
 constexpr int kBadInput = 1;
 constexpr int kInternal = 3;
@@ -98,7 +157,7 @@ void CheckSubcommand(int argc, char** argv, const CLI::App& program) {
 
 // Throws UsageError for a flag that the command does not have, suggesting the one that was probably
 // meant.
-void CheckFlags(int argc, char** argv, const CLI::App& program) {
+void CheckFlagNames(int argc, char** argv, const CLI::App& program) {
   const CLI::App* app = &program;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -189,30 +248,26 @@ int Main(int argc, char** argv) {
       "sequences, scored with explicitly defined metrics.");
   program.name("clustervo");
   program.set_version_flag("--version", VersionText);
-  program.require_subcommand(1);
   program.footer(
       "Start with: clustervo info SEQUENCE, then clustervo run SEQUENCE -o OUT.\n"
       "Exit codes: 0 success, 1 bad input or failure, 2 usage error, 3 internal error, 130 "
       "interrupted.");
-  const std::vector<Command> commands = {
-      AddRunCommand(program),     AddDetectCommand(program),     AddEvalCommand(program),
-      AddImportCommand(program),  AddInfoCommand(program),       AddListCommand(program),
-      AddSynthCommand(program),   AddExperimentCommand(program), AddCheckCommand(program),
-      AddOverlayCommand(program), AddReportCommand(program),     AddPlotCommand(program),
-      AddExplainCommand(program), AddManualCommand(program)};
+  const Command chosen = Group(
+      program, {AddRunCommand(program), AddDetectCommand(program), AddEvalCommand(program),
+                AddImportCommand(program), AddInfoCommand(program), AddListCommand(program),
+                AddSynthCommand(program), AddExperimentCommand(program), AddCheckCommand(program),
+                AddOverlayCommand(program), AddReportCommand(program), AddPlotCommand(program),
+                AddExplainCommand(program)});
   try {
     CheckSubcommand(argc, argv, program);
-    CheckFlags(argc, argv, program);
+    CheckFlagNames(argc, argv, program);
     program.parse(argc, argv);
     CheckOutputName(program);
   } catch (const CLI::ParseError& error) {
     // --help and --version arrive as exceptions, too.
     return error.get_exit_code() == 0 ? program.exit(error) : ExplainUsage(program, error);
   }
-  for (const Command& command : commands) {
-    if (command.app->parsed()) return command.run();
-  }
-  return kUsage;
+  return chosen.run();
 }
 
 }  // namespace

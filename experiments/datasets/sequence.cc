@@ -16,10 +16,11 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "experiments/calibration/stereo_rig.h"
+#include "experiments/datasets/calibration/stereo_rig.h"
 #include "experiments/datasets/sequence_parts.h"
 
 namespace cvo {
+
 namespace fs = std::filesystem;
 namespace {
 
@@ -263,7 +264,14 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   resolved.type = TypeOf(resolved);
   const SequenceLayout& layout = LayoutOfType(resolved.type);
   CheckSettings(resolved.layout, layout);
-  Sequence sequence = layout.read(resolved);
+  if (layout.only_truth != nullptr && resolved.groundtruth != "devkit") {
+    ThrowError("option --groundtruth", "\"" + resolved.groundtruth + "\"",
+               StrCat("devkit: ", layout.only_truth));
+  }
+  Sequence sequence;
+  sequence.folder = resolved.folder;
+  sequence.name = resolved.folder.filename().string();
+  layout.read(resolved, sequence);
   sequence.type = resolved.type;
   sequence.layout = resolved.layout;
   sequence.box_sources = {resolved.labels_file, resolved.detections_file,

@@ -205,11 +205,6 @@ void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
   }
 }
 
-void RequireDevkitTruth(const SequenceRequest& request, const std::string& reason) {
-  if (request.groundtruth == "devkit") return;
-  ThrowError("option --groundtruth", "\"" + request.groundtruth + "\"", "devkit: " + reason);
-}
-
 void AddBoxes(const SequenceRequest& request, Sequence& sequence) {
   for (const int camera : {request.labels_camera, request.detections_camera}) {
     if (camera == -1) continue;
@@ -269,15 +264,6 @@ void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left,
   for (BodyTrack& body : sequence.bodies->bodies) MoveBody(*first_from_world, sequence, body);
 }
 
-void StateFramesWithoutTruth(const std::string& reason, Sequence& sequence) {
-  const auto& poses = sequence.groundtruth_world_from_camera;
-  const auto without =
-      std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return !pose; });
-  if (without == 0) return;
-  sequence.missing.push_back(StrCat("no ground truth of the camera for ", without, " of ",
-                                    poses.size(), " frames: ", reason));
-}
-
 void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,
                     const std::string& reason, Sequence& sequence) {
   std::vector<std::optional<RigidTransform>> poses;
@@ -287,7 +273,13 @@ void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& 
     poses.push_back(pose);
   }
   AddCameraTruth(std::move(poses), sequence);
-  StateFramesWithoutTruth(reason, sequence);
+  const auto& truth = sequence.groundtruth_world_from_camera;
+  const auto without =
+      std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !pose; });
+  if (without > 0) {
+    sequence.missing.push_back(StrCat("no ground truth of the camera for ", without, " of ",
+                                      truth.size(), " frames: ", reason));
+  }
   for (const TimedPose& pose : world_from_carrier) {
     sequence.truth_track.push_back({pose.timestamp_ns, pose.world_from_camera * carrier_from_left *
                                                            LeftFromRectified(sequence)});

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/files/json/json_record.h"
-#include "experiments/calibration/kitti_calibration.h"
-#include "experiments/calibration/stereo_rig.h"
+#include "experiments/datasets/calibration/kitti_calibration.h"
+#include "experiments/datasets/calibration/stereo_rig.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/trajectory.h"
@@ -19,13 +19,15 @@ namespace cvo {
 
 // How a data set lays out the files of a sequence.
 struct SequenceLayout {
-  std::string type;   // value of --type
-  std::string shape;  // its characteristic files, for messages
+  std::string type;  // value of --type
   // Whether a folder has this layout, complete or not. No two layouts recognise the same folder.
   bool (*knows)(const std::filesystem::path& folder);
   // Whether the folder has images of both cameras; FindSequences omits those that do not.
   bool (*has_images)(const std::filesystem::path& folder);
-  Sequence (*read)(const SequenceRequest& request);
+  // Reads a sequence whose folder and name (that of the folder) are set.
+  void (*read)(const SequenceRequest& request, Sequence& sequence);
+  // Why "devkit" is the only ground truth; null if there is a choice.
+  const char* only_truth = nullptr;
   // Every key that SequenceRequest::layout may have, with its default.
   Json settings = Json::object();
 };
@@ -67,9 +69,6 @@ void AddTimes(const std::filesystem::path& file, std::vector<std::int64_t> times
 void AddOxtsTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
                   const RigidTransform& camera0_from_imu, Sequence& sequence);
 
-// Throws Error unless `groundtruth` is "devkit"; `reason` says why the data set has no other.
-void RequireDevkitTruth(const SequenceRequest& request, const std::string& reason);
-
 // AddBoxes reads the requested boxes. CutFrames then cuts everything to the requested frames.
 struct LabelSource {
   std::filesystem::path file;  // empty: none
@@ -93,11 +92,9 @@ void AddRig(const StereoRig& rig, const std::filesystem::path& calibration, Sequ
 // is visible in the frames where its centre is in the image.
 void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left, Sequence& sequence);
 
-// Appends to Sequence::missing how many frames have no ground truth, and why.
-void StateFramesWithoutTruth(const std::string& reason, Sequence& sequence);
-
-// Does both, from poses of what carries the camera, interpolated from their own timestamps (in the
-// clock of the images) to those of the images. Also sets Sequence::truth_track.
+// Does so from poses of what carries the camera, interpolated from their own timestamps (in the
+// clock of the images) to those of the images. Also sets Sequence::truth_track, and appends to
+// Sequence::missing how many frames have no ground truth, and why.
 void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,
                     const std::string& reason, Sequence& sequence);
 

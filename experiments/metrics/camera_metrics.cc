@@ -9,8 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/pose_errors.h"
+#include "experiments/metrics/trajectory.h"
 
 namespace cvo {
 
@@ -172,10 +172,6 @@ Eigen::Vector3d RollPitchYaw(const RigidTransform& pose) {
       .cwiseAbs();
 }
 
-MaxDrift DriftOf(double translation_m, const Eigen::Vector3d& roll_pitch_yaw) {
-  return {translation_m, roll_pitch_yaw.x(), roll_pitch_yaw.y(), roll_pitch_yaw.z()};
-}
-
 // Transforms from the body frame at the first pose to the body frame at each pose.
 std::vector<RigidTransform> Motions(const std::vector<RigidTransform>& poses) {
   std::vector<RigidTransform> motions;
@@ -256,32 +252,35 @@ RigidTransform AlignByMotions(const CommonPoses& poses, std::size_t frames) {
 
 namespace {
 
-MaxDrift DriftOfPoses(const CommonPoses& poses) {
-  const RigidTransform object_from_gtobject = AlignObject(poses);
+// Largest errors over all frames. The angles are separate maxima, or those of the frame in which
+// they are largest together.
+template <typename ErrorOf>
+MaxDrift LargestOf(std::size_t frames, bool together, const ErrorOf& error_of) {
   double translation_m = 0.0;
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const RigidTransform error =
-        poses.truth[i].Inverse() * poses.estimate[i] * object_from_gtobject;
+  for (std::size_t i = 0; i < frames; ++i) {
+    const RigidTransform error = error_of(i);
     translation_m = std::max(translation_m, error.translation().norm());
-    angles = angles.cwiseMax(RollPitchYaw(error));
+    const Eigen::Vector3d here = RollPitchYaw(error);
+    if (!together) angles = angles.cwiseMax(here);
+    if (together && here.norm() > angles.norm()) angles = here;
   }
-  return DriftOf(translation_m, angles);
+  return {translation_m, angles.x(), angles.y(), angles.z()};
 }
 
-// Largest errors over all frames, after an alignment by the motions of the first `frames` poses.
+MaxDrift DriftOfPoses(const CommonPoses& poses) {
+  const RigidTransform object_from_gtobject = AlignObject(poses);
+  return LargestOf(poses.size(), false, [&](std::size_t i) {
+    return RigidTransform(poses.truth[i].Inverse() * poses.estimate[i] * object_from_gtobject);
+  });
+}
+
+// After an alignment by the motions of the first `frames` poses.
 MaxDrift DriftOfMotions(const CommonPoses& poses, std::size_t frames) {
   const MotionPairs motions = {Motions(poses.truth), Motions(poses.estimate)};
   const RigidTransform object_from_gtobject = AlignByMotions(poses, frames);
-  double translation_m = 0.0;
-  Eigen::Vector3d angles = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const RigidTransform error = motions.Error(i, object_from_gtobject);
-    translation_m = std::max(translation_m, error.translation().norm());
-    const Eigen::Vector3d here = RollPitchYaw(error);
-    if (here.norm() > angles.norm()) angles = here;
-  }
-  return DriftOf(translation_m, angles);
+  return LargestOf(poses.size(), true,
+                   [&](std::size_t i) { return motions.Error(i, object_from_gtobject); });
 }
 
 }  // namespace

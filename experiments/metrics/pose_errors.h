@@ -8,7 +8,7 @@
 
 #include "core/geometry/rigid_transform.h"
 #include "core/record/metric_catalogue.h"
-#include "core/record/metric_value.h"
+#include "core/record/run_summary.h"
 
 namespace cvo {
 

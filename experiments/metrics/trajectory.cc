@@ -3,16 +3,21 @@
 #include "experiments/metrics/trajectory.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <tuple>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/json/json_record.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "experiments/calibration/kitti_calibration.h"
+#include "experiments/datasets/calibration/kitti_calibration.h"
 
 namespace cvo {
+
 namespace {
 
 constexpr std::size_t kRowNumbers = 12;  // numbers of a KITTI pose
@@ -137,6 +142,163 @@ std::string WhereTumPose(const std::filesystem::path& path, std::size_t index) {
     --index;
   }
   throw Error(path.string() + ": no such pose");
+}
+
+namespace {
+
+using Candidate = std::tuple<std::int64_t, std::size_t, std::size_t>;  // |dt|, a, b
+
+void CheckIncreasing(const Trajectory& trajectory) {
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    Require(trajectory[i - 1].timestamp_ns < trajectory[i].timestamp_ns,
+            "AssociateByTime: timestamps must increase");
+  }
+}
+
+std::vector<Candidate> FindCandidates(const Trajectory& a, const Trajectory& b,
+                                      std::int64_t tolerance_ns) {
+  std::vector<Candidate> candidates;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::int64_t time_ns = a[i].timestamp_ns;
+    while (first < b.size() && b[first].timestamp_ns < time_ns - tolerance_ns) ++first;
+    for (std::size_t j = first; j < b.size() && b[j].timestamp_ns <= time_ns + tolerance_ns; ++j) {
+      const std::int64_t distance_ns = b[j].timestamp_ns - time_ns;
+      candidates.emplace_back(distance_ns < 0 ? -distance_ns : distance_ns, i, j);
+    }
+  }
+  return candidates;
+}
+
+}  // namespace
+
+TimeAssociation AssociateByTime(const Trajectory& a, const Trajectory& b,
+                                std::int64_t tolerance_ns) {
+  Require(tolerance_ns >= 0, "AssociateByTime: the tolerance must not be negative");
+  CheckIncreasing(a);
+  CheckIncreasing(b);
+  std::vector<Candidate> candidates = FindCandidates(a, b, tolerance_ns);
+  std::sort(candidates.begin(), candidates.end());
+  std::vector<bool> taken_a(a.size()), taken_b(b.size());
+  TimeAssociation association;
+  for (const auto& [distance_ns, i, j] : candidates) {
+    if (taken_a[i] || taken_b[j]) continue;
+    taken_a[i] = taken_b[j] = true;
+    association.pairs.emplace_back(i, j);
+  }
+  std::sort(association.pairs.begin(), association.pairs.end());
+  association.unmatched_a = a.size() - association.pairs.size();
+  association.unmatched_b = b.size() - association.pairs.size();
+  return association;
+}
+
+std::vector<std::optional<RigidTransform>> PosesAtFrames(const TimeAssociation& truth_estimate,
+                                                         std::size_t truth_frames,
+                                                         const Trajectory& estimate) {
+  std::vector<std::optional<RigidTransform>> poses(truth_frames);
+  for (const auto& [frame, index] : truth_estimate.pairs) {
+    Require(frame < truth_frames && index < estimate.size(), "PosesAtFrames: index out of range");
+    poses[frame] = estimate[index].world_from_camera;
+  }
+  return poses;
+}
+
+namespace {
+
+// The rotation does not depend on the scale, which then has a closed form.
+Similarity AlignWithScale(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
+  const Eigen::Matrix3d R = AlignPoints(from, to).RotationMatrix();
+  const Eigen::Vector3d from_mean = from.rowwise().mean();
+  const Eigen::Vector3d to_mean = to.rowwise().mean();
+  const Eigen::Matrix3Xd from_centred = from.colwise() - from_mean;
+  const Eigen::Matrix3Xd to_centred = to.colwise() - to_mean;
+  const double scale = to_centred.cwiseProduct(R * from_centred).sum() / from_centred.squaredNorm();
+  if (!(scale > 0.0) || !std::isfinite(scale)) {
+    ThrowError("alignment sim3", "positions that determine no scale", "a trajectory that moves");
+  }
+  return {scale, RigidTransform(R, to_mean - scale * (R * from_mean))};
+}
+
+Similarity AlignYaw(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
+                    const Eigen::Vector3d& up) {
+  const Eigen::Vector3d from_mean = from.rowwise().mean();
+  const Eigen::Vector3d to_mean = to.rowwise().mean();
+  double sine = 0.0;
+  double cosine = 0.0;
+  for (Eigen::Index i = 0; i < from.cols(); ++i) {
+    const Eigen::Vector3d a = from.col(i) - from_mean;
+    const Eigen::Vector3d b = to.col(i) - to_mean;
+    sine += up.dot(a.cross(b));
+    cosine += a.dot(b) - up.dot(a) * up.dot(b);
+  }
+  const Eigen::Quaterniond R(Eigen::AngleAxisd(std::atan2(sine, cosine), up));
+  return {1.0, RigidTransform(R, to_mean - R * from_mean)};
+}
+
+}  // namespace
+
+TrajectoryAlignment ParseTrajectoryAlignment(const std::string& text) {
+  if (const auto alignment = EnumOf<TrajectoryAlignment>(text)) return *alignment;
+  ThrowError("alignment", text, "one of: " + Joined(EnumNames(TrajectoryAlignment()), ", "));
+}
+
+std::string DescriptionOf(TrajectoryAlignment alignment) {
+  constexpr std::array kDescriptions = {"not aligned", "aligned by SE(3) over positions",
+                                        "aligned by Sim(3) over positions, with scale",
+                                        "aligned at the first common pose",
+                                        "aligned by yaw and translation over positions"};
+  return kDescriptions.at(static_cast<std::size_t>(alignment));
+}
+
+Similarity AlignTrajectory(const CommonPoses& poses, TrajectoryAlignment alignment,
+                           const Eigen::Vector3d& up) {
+  if (poses.size() == 0) ThrowError("alignment", "no common poses", "at least one");
+  const Eigen::Matrix3Xd from = Positions(poses.estimate);
+  const Eigen::Matrix3Xd to = Positions(poses.truth);
+  switch (alignment) {
+    case TrajectoryAlignment::kNone:
+      return {};
+    case TrajectoryAlignment::kSe3:
+      return {1.0, AlignPoints(from, to)};
+    case TrajectoryAlignment::kSim3:
+      return AlignWithScale(from, to);
+    case TrajectoryAlignment::kOrigin:
+      return {1.0, poses.truth.front() * poses.estimate.front().Inverse()};
+    case TrajectoryAlignment::kYaw:
+      return AlignYaw(from, to, up);
+  }
+  throw Error("TrajectoryAlignment: not one of the enumerators");
+}
+
+std::vector<double> OrientationErrors(const CommonPoses& poses, TrajectoryAlignment alignment,
+                                      const Similarity& truth_from_estimate) {
+  Eigen::Matrix3d R = truth_from_estimate.rigid.RotationMatrix();
+  if (alignment == TrajectoryAlignment::kSe3 || alignment == TrajectoryAlignment::kSim3) {
+    R.setZero();
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      R += poses.truth[i].RotationMatrix() * poses.estimate[i].RotationMatrix().transpose();
+    }
+    R = NearestRotation(R);
+  }
+  const Eigen::Quaterniond turned(R);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    errors.push_back(RotationAngle(Eigen::Quaterniond(poses.truth[i].rotation().conjugate() *
+                                                      (turned * poses.estimate[i].rotation()))));
+  }
+  return errors;
+}
+
+RigidTransform AlignObject(const CommonPoses& poses) {
+  Require(poses.size() > 0, "AlignObject: needs a pair of poses");
+  Eigen::Matrix3d rotations = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d t = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const RigidTransform object_from_gtobject = poses.estimate[i].Inverse() * poses.truth[i];
+    rotations += object_from_gtobject.RotationMatrix();
+    t += object_from_gtobject.translation();
+  }
+  return {NearestRotation(rotations), t / static_cast<double>(poses.size())};
 }
 
 }  // namespace cvo

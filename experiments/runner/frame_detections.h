@@ -12,7 +12,7 @@
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/run_result.h"
+#include "experiments/runner/run_result.h"
 
 namespace cvo {
 

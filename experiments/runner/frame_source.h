@@ -9,10 +9,10 @@
 #include "core/base/task_pool.h"
 #include "core/interface/frame.h"
 #include "core/interface/options.h"
-#include "experiments/cache/content_hash.h"
-#include "experiments/cache/front_end_cache.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/run_result.h"
+#include "experiments/runner/front_end_cache.h"
+#include "experiments/runner/identity.h"
+#include "experiments/runner/run_result.h"
 
 namespace cvo {
 

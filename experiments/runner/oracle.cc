@@ -22,7 +22,7 @@ TrueBoxes SceneBoxes(const Sequence& sequence, const std::filesystem::path& tabl
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (const SceneBody& body : bodies[i + static_cast<std::size_t>(sequence.first_frame)]) {
       if (!body.visible_box) continue;
-      const TruthBox& box = *body.visible_box;
+      const ImageBox& box = *body.visible_box;
       boxes[i].push_back({body.id, {box.left_px, box.top_px, box.right_px, box.bottom_px}});
     }
   }

@@ -2,15 +2,120 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/run_files.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <numeric>
+#include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
+#include <vector>
 
 #include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "core/files/json/json.h"
 #include "experiments/metrics/trajectory.h"
-#include "experiments/record/cluster_tables.h"
-#include "experiments/record/landmark_table.h"
+#include "experiments/runner/run_tables.h"
 
 namespace cvo {
+
+namespace {
+
+// The text after `name` and a colon in a file such as /proc/cpuinfo; empty if there is none.
+std::string ProcValue(const char* file, std::string_view name) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(':');
+    if (!line.starts_with(name) || colon == std::string::npos) continue;
+    const std::size_t begin = line.find_first_not_of(" \t", colon + 1);
+    return begin == std::string::npos ? "" : line.substr(begin);
+  }
+  return "";
+}
+
+double PeakMemoryMb() {
+  const std::string text = ProcValue("/proc/self/status", "VmHWM");  // "398204 kB"
+  double kibibytes = 0.0;
+  std::from_chars(text.data(), text.data() + text.size(), kibibytes);
+  return kibibytes * 1024.0 / 1e6;
+}
+
+std::string UtcNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
+// The nearest-rank quantile: the smallest sample that at least a fraction q of the samples do not
+// exceed.
+double Quantile(std::vector<double> samples, double q) {
+  std::sort(samples.begin(), samples.end());
+  const double rank = std::ceil(q * static_cast<double>(samples.size()));
+  return samples[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+// Rounds to whole microseconds, because further digits are noise.
+double Milliseconds(double seconds) { return std::round(1e6 * seconds) / 1e3; }
+
+reports::StageSummary Summary(const std::vector<double>& samples_ms) {
+  const double total_s = 1e-3 * std::accumulate(samples_ms.begin(), samples_ms.end(), 0.0);
+  return {Quantile(samples_ms, 0.5), Milliseconds(total_s / static_cast<double>(samples_ms.size())),
+          Quantile(samples_ms, 0.95), Milliseconds(total_s)};
+}
+
+// A frame without the stage counts as zero.
+std::vector<double> Samples_ms(const std::vector<float>& times_s) {
+  std::vector<double> samples_ms;
+  for (const float time_s : times_s) {
+    samples_ms.push_back(std::isnan(time_s) ? 0.0 : Milliseconds(time_s));
+  }
+  return samples_ms;
+}
+
+}  // namespace
+
+reports::TimingData ThisProcess() {
+  reports::TimingData timing;
+  timing.date = UtcNow();
+  timing.host = HostName();
+  timing.cpu = ProcValue("/proc/cpuinfo", "model name");
+  timing.cpus = static_cast<int>(std::thread::hardware_concurrency());
+  timing.peak_memory_mb = PeakMemoryMb();
+  return timing;
+}
+
+void WriteTimingFile(const RunResult& run, reports::TimingData timing, const TextSink& sink) {
+  timing.wall_s = run.wall_s;
+  const double count = static_cast<double>(run.frames.size());
+  timing.frames_per_second = run.wall_s > 0.0 ? count / run.wall_s : 0.0;
+  for (const auto& [stage, times_s] : run.times_s) {
+    timing.stages[stage] = Summary(Samples_ms(times_s));
+  }
+  Json head = FileJson(timing);
+  head.erase("frames");
+  auto frame = run.frames.begin();
+  std::size_t i = 0;
+  const auto next = [&](Json& row) {
+    if (frame == run.frames.end()) return false;
+    row = {{"frame", frame->frame}};
+    for (const auto& [stage, times_s] : run.times_s) {
+      if (!std::isnan(times_s[i])) row[stage + "_ms"] = Milliseconds(times_s[i]);
+    }
+    ++frame;
+    ++i;
+    return true;
+  };
+  DumpJsonWithRows(head, "frames", next, sink);
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -63,8 +168,8 @@ StagedFile BeginLandmarks(const fs::path& folder) {
   return file;
 }
 
-void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunContext& context,
-                   std::optional<StagedFile> landmarks) {
+void WriteRunFiles(const fs::path& folder, const RunRecord& record,
+                   const reports::TimingData& timing, std::optional<StagedFile> landmarks) {
   const RunResult& run = record.run;
   StagedFiles files(folder);
   const bool has_landmarks = landmarks.has_value();
@@ -80,7 +185,7 @@ void WriteRunFiles(const fs::path& folder, const RunRecord& record, const RunCon
             [&](const TextSink& sink) { WriteKittiTracks(record.sequence, run, sink); });
   files.Add(kTruth, TruthFile(RecordedJob(record), record.truth));
   // The result comes last: if it is complete, so is everything else.
-  files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, context, sink); });
+  files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, timing, sink); });
   files.Add("result.json", [&](const TextSink& sink) { WriteResultFile(record, sink); });
   std::vector<std::string> stale = StaleFiles(folder, files);
   if (!has_landmarks && fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);

@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/task_pool.h"
 #include "core/files/json/options_json.h"
-#include "experiments/cache/content_hash.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/build_identity.h"
-#include "experiments/record/job_identity.h"
+#include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
 
 namespace cvo {
+
 namespace {
 
 // Warns of a run whose estimates take much memory; all of them are held until its end.
@@ -90,13 +90,9 @@ Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
 std::string IdentifyJob(const RunRequest& request) {
   const std::vector<ImageHashes> images =
       request.images.empty() ? HashImages(request.sequence) : request.images;
-  return IdentifyJob(request, ContentHash(request.sequence, images));
-}
-
-std::string IdentifyJob(const RunRequest& request, const std::string& content) {
   return JobIdentity({ThisBuild().identity, std::string(request.variant.name),
-                      ResolvedOptions(request), content, DetectionsHash(request.sequence),
-                      GivenOf(request), request.seed});
+                      ResolvedOptions(request), ContentHash(request.sequence, images),
+                      DetectionsHash(request.sequence), GivenOf(request), request.seed});
 }
 
 std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
@@ -136,6 +132,29 @@ std::optional<JobOutcome> RunJob(const RunRequest& request, const std::filesyste
   WriteRunFiles(folder, record, outcome.context, std::move(landmarks));
   WarnOfMemory(outcome.run, outcome.warnings);  // no part of the result
   return outcome;
+}
+
+JobCache::JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes,
+                   const FileHashHooks& hooks)
+    : folder_(cache_folder),
+      hooks_(hooks),
+      hashes_(cache_folder / "hashes"),
+      front_end_(cache_folder / "frontend", limit_bytes, hooks.notice) {}
+
+std::vector<std::string> JobCache::HashesOf(const std::vector<std::filesystem::path>& files,
+                                            int threads) const {
+  TaskPool pool(threads);
+  return FindFileHashes(files, hashes_, pool, hooks_);
+}
+
+std::vector<ImageHashes> JobCache::ImagesOf(const Sequence& sequence, int threads) const {
+  TaskPool pool(threads);
+  return FindImageHashes(sequence, hashes_, pool, hooks_);
+}
+
+void JobCache::Serve(RunRequest& request) const {
+  request.images = ImagesOf(request.sequence, request.threads);
+  request.cache = &front_end_;
 }
 
 }  // namespace cvo

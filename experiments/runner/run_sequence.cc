@@ -15,9 +15,9 @@
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
 #include "core/interface/frame.h"
-#include "experiments/cache/content_hash.h"
-#include "experiments/record/landmark_table.h"
 #include "experiments/runner/frame_source.h"
+#include "experiments/runner/identity.h"
+#include "experiments/runner/run_tables.h"
 
 namespace cvo {
 namespace {

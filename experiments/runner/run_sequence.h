@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "core/interface/options.h"
-#include "experiments/cache/content_hash.h"
-#include "experiments/cache/front_end_cache.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/record/run_result.h"
 #include "experiments/runner/frame_detections.h"
+#include "experiments/runner/front_end_cache.h"
+#include "experiments/runner/identity.h"
 #include "experiments/runner/oracle.h"
+#include "experiments/runner/run_result.h"
 #include "variants/registry.h"
 
 namespace cvo {

@@ -7,12 +7,12 @@
 #include <string>
 #include <utility>
 
+#include "experiments/metrics/boxes/average_precision.h"
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/kitti_ap/box_metrics.h"
 #include "experiments/metrics/objects/object_scores.h"
-#include "experiments/record/cluster_tables.h"
-#include "experiments/record/result_file.h"
-#include "experiments/record/run_result.h"
+#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_result.h"
+#include "experiments/runner/run_tables.h"
 
 namespace cvo {
 namespace {
@@ -121,7 +121,7 @@ ObjectEstimate ObjectEstimateOf(const RunResult& run, PoseTime time) {
     estimate.landmarks.push_back(frame.landmarks);
   }
   std::map<ClusterId, ClusterEstimate> clusters;
-  ForEachClusterRow(run, [&](const ClusterRow& row) {
+  ForEachLiveCluster(run, [&](const LiveCluster& row) {
     const ClusterReport* report = time == PoseTime::kCausal ? row.causal : &row.Last();
     if (!report) return;
     ClusterEstimate& cluster = clusters[row.id];

@@ -9,7 +9,7 @@
 #include "experiments/metrics/objects/object_matching.h"
 #include "experiments/metrics/objects/object_scores.h"
 #include "experiments/metrics/pose_errors.h"
-#include "experiments/record/run_result.h"
+#include "experiments/runner/run_result.h"
 
 namespace cvo {
 

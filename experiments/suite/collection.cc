@@ -12,7 +12,6 @@
 #include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
-#include "experiments/suite/shipped/shipped_suites.h"
 #include "synth/scene/description.h"
 #include "synth/scene/object_reader.h"
 
@@ -86,12 +85,6 @@ Collection ReadCollection(const Json& json, const std::string& where, const fs::
 }
 
 }  // namespace
-
-std::vector<std::string> CollectionNames() {
-  std::vector<std::string> names;
-  for (const ShippedSuite& shipped : ShippedCollections()) names.push_back(shipped.name);
-  return names;
-}
 
 std::optional<Collection> FindCollection(const std::string& name) {
   for (const ShippedSuite& shipped : ShippedCollections()) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "experiments/runner/system_files.h"
+#include "experiments/runner/system_run.h"
 #include "experiments/suite/suite.h"
 
 namespace cvo {
@@ -46,8 +46,22 @@ struct Collection {
   std::vector<CollectionSection> sections;
 };
 
-// Names of the collections shipped with the program.
-std::vector<std::string> CollectionNames();
+// A suite file that comes with the program.
+struct ShippedSuite {
+  std::string name;  // as stated in `text`
+  std::string text;  // JSON
+};
+// The suite files of experiments/configs in their order of listing, and the collections of suites.
+std::vector<ShippedSuite> ShippedSuites();
+std::vector<ShippedSuite> ShippedCollections();
+
+// Another system's trajectory on a shipped scene, from a file of reports/reference/trajectories.
+struct ShippedTrajectory {
+  std::string_view system;
+  std::string_view scene;
+  std::string_view text;  // TUM poses after a line with the hash of the scene file
+};
+const std::vector<ShippedTrajectory>& ShippedTrajectories();
 
 // Returns a shipped collection, or one read from a JSON file with "sections". Empty for any other
 // name or file. Throws Error if the collection is invalid.

@@ -10,7 +10,7 @@
 #include "core/interface/options.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/oracle.h"
-#include "experiments/runner/system_files.h"
+#include "experiments/runner/system_run.h"
 #include "experiments/suite/suite.h"
 
 namespace cvo {

@@ -9,7 +9,6 @@
 #include "core/files/text_file.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/job_input.h"
-#include "experiments/suite/shipped/shipped_suites.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"

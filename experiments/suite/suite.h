@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/files/json/json.h"
-#include "core/record/plan_file.h"
+#include "core/record/suite_runs.h"
 
 namespace cvo {
 

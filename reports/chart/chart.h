@@ -46,7 +46,8 @@ struct Datum {
   double x = 0.0;
   double y = 0.0;
   std::string tip = {};                       // tooltip of this value; empty: that of its series
-  std::string text = {};                      // drawn beside a point
+  std::string text = {};                      // drawn beside a point, above it if there is room
+  bool text_below = false;                    // below it if there is room
   std::optional<ValueRange> x_interval = {};  // whisker
   std::optional<ValueRange> y_interval = {};  // whisker, or the height of a band
   double base = 0.0;                          // where a bar begins
@@ -55,7 +56,7 @@ struct Datum {
 enum class SeriesKind {
   kLine,    // through the data, with the symbol of its look at each of them
   kBand,    // area between the ends of the y intervals
-  kPoints,  // symbols with whiskers; over a category axis: the rows of a forest plot
+  kPoints,  // symbols with whiskers
   kBars     // from `base` to the value, with whiskers; horizontal if y is the category axis
 };
 
@@ -88,15 +89,6 @@ struct Rule {
   std::string text = {};
 };
 
-// A text beside a place of the panel.
-struct Note {
-  double x = 0.0;
-  double y = 0.0;
-  std::string text;
-  bool left = false;   // of the place; otherwise right of it
-  bool below = false;  // otherwise above it
-};
-
 enum class AxisScale { kLinear, kLog, kCategory };
 
 struct Axis {
@@ -118,7 +110,6 @@ struct Panel {
   std::vector<HeatCell> cells = {};
   std::vector<Shade> shades = {};
   std::vector<Rule> rules = {};
-  std::vector<Note> notes = {};
   double aspect = 0.25;      // height / width; not of a panel with categories on y
   double row_height = 1.7;   // of a category on y, in font sizes
   bool equal_scale = false;  // one unit is as long on y as on x; `aspect` is then a limit
@@ -149,16 +140,5 @@ std::string ChartSvg(const Chart& chart, const ChartStyle& style = {});
 
 // The rules of the classes, for a page with several charts.
 std::string ChartCss();
-
-// A forest plot: one row per estimate with its interval, and a line at `reference`.
-struct ForestRow {
-  std::string label;
-  double value = 0.0;
-  std::optional<ValueRange> interval = {};
-  Look look = {1, Symbol::kSquare};
-  std::string tip = {};
-};
-Panel ForestPanel(const std::string& x_title, const std::vector<ForestRow>& rows,
-                  std::optional<double> reference);
 
 }  // namespace cvo::reports

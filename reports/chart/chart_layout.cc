@@ -140,7 +140,7 @@ int TicksAlong(double length, double each) {
 }
 
 void AddText(const std::string& text, bool bold, double em, double& y, ChartLayout& layout) {
-  for (const std::string& line : WrapText(text, layout.width * (bold ? 0.86 : 0.92), em)) {
+  for (const std::string& line : WrapText(text, layout.width * (bold ? 0.9 : 1.0), em)) {
     y += kLineHeight * em;
     layout.texts.push_back({0.0, y - 0.3 * em, line, bold});
   }
@@ -307,7 +307,7 @@ double TextWidth(const std::string& text, double em) {
   double width = 0.0;
   for (const char c : text) {
     if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue;  // within a character of UTF-8
-    width += IsNarrow(c) ? 0.3 : IsWide(c) ? 0.76 : 0.56;
+    width += IsNarrow(c) ? 0.36 : IsWide(c) ? 0.84 : 0.62;
   }
   return width * em;
 }
@@ -323,21 +323,6 @@ std::vector<std::string> WrapText(const std::string& text, double width, double 
     }
   }
   return lines;
-}
-
-Panel ForestPanel(const std::string& x_title, const std::vector<ForestRow>& rows,
-                  std::optional<double> reference) {
-  Panel panel;
-  panel.x.title = x_title;
-  panel.y.scale = AxisScale::kCategory;
-  for (const ForestRow& row : rows) {
-    const auto y = static_cast<double>(panel.y.categories.size());
-    panel.y.categories.push_back(row.label);
-    panel.series.push_back(
-        {SeriesKind::kPoints, "", row.look, {{row.value, y, row.tip, "", row.interval}}});
-  }
-  if (reference) panel.rules = {{*reference}};
-  return panel;
 }
 
 ChartLayout LayOut(const Chart& chart, const ChartStyle& style) {

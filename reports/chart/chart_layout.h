@@ -79,7 +79,7 @@ std::string Stroke(const Look& look, double width);
 // Of a cell of a heat map.
 std::string HeatFill(double value);
 
-// Estimates of a usual sans serif font, since the fonts of the reader are not known.
+// Estimates of a wide sans serif font, since the fonts of the reader are not known.
 double TextWidth(const std::string& text, double em);
 std::vector<std::string> WrapText(const std::string& text, double width, double em);
 // The length of a line sample in the legend (em).

@@ -115,10 +115,9 @@ class SvgWriter {
     for (const Series& series : panel.series) {
       for (const Datum& datum : series.data) {
         if (datum.text.empty() || !Holds(datum, place)) continue;
-        PlaceText({datum.x, datum.y, datum.text}, place);
+        PlaceText(datum, place);
       }
     }
-    for (const Note& note : panel.notes) PlaceText(note, place);
     Axes(panel, place);
   }
 
@@ -145,8 +144,10 @@ class SvgWriter {
       if (!rule.vertical) Line(panel_.left, at, panel_.right, at);
       out_ += "</g>\n";
       if (!rule.text.empty()) {
-        Put(rule.vertical ? at : panel_.right, (rule.vertical ? panel_.top : at) - 0.4 * em_,
-            rule.text, rule.vertical ? " text-anchor=\"middle\"" : " text-anchor=\"end\"");
+        // Above the line, or as near to it as fits.
+        const double half = 0.5 * TextWidth(rule.text, em_);
+        const double x = rule.vertical ? std::min(at, panel_.right - half) : panel_.right - half;
+        Put(x, (rule.vertical ? panel_.top : at) - 0.4 * em_, rule.text, " text-anchor=\"middle\"");
       }
     }
   }
@@ -326,14 +327,14 @@ class SvgWriter {
 
   // Writes a text beside its place, where it covers no mark and no other text; nothing if there is
   // no such side.
-  void PlaceText(const Note& note, const PanelPlace& place) {
+  void PlaceText(const Datum& datum, const PanelPlace& place) {
     const double size = 0.9 * em_;
-    const double width = TextWidth(note.text, size);
+    const double width = TextWidth(datum.text, size);
     for (int side = 0; side < 4; ++side) {
-      const bool left = note.left != (side >= 2);
-      const bool below = note.below != (side % 2 == 1);
-      const double x = place.x.Of(note.x) + (left ? -0.5 : 0.5) * em_;
-      const double y = place.y.Of(note.y) + (below ? 1.1 : -0.4) * em_;
+      const bool left = side >= 2;
+      const bool below = datum.text_below != (side % 2 == 1);
+      const double x = place.x.Of(datum.x) + (left ? -0.5 : 0.5) * em_;
+      const double y = place.y.Of(datum.y) + (below ? 1.1 : -0.4) * em_;
       const Box box{left ? x - width : x, y - 0.8 * size, left ? x : x + width, y + 0.1 * size};
       const bool inside = box.left >= panel_.left && box.right <= panel_.right + 0.5 * em_ &&
                           box.top >= panel_.top - em_ && box.bottom <= panel_.bottom;
@@ -343,7 +344,7 @@ class SvgWriter {
       });
       if (!inside || !free) continue;
       texts_.push_back(box);
-      Put(x, y, note.text,
+      Put(x, y, datum.text,
           StrCat(" font-size=\"", Num(size), "\"", left ? " text-anchor=\"end\"" : ""));
       return;
     }

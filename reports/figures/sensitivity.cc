@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
-#include "reports/figures/numbers.h"
+#include "reports/figures/figure_style.h"
 #include "reports/figures/suite_parts.h"
 
 namespace cvo::reports {
@@ -34,15 +34,11 @@ struct SweptOption {
   std::vector<SweptLine> lines;
 };
 
-// The standard deviation of the steps between values, divided by their mean.
+// How much the steps between values differ from their mean.
 double Unevenness(const std::vector<double>& values) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
-  double mean = 0.0;
-  for (const double step : steps) mean += step / static_cast<double>(steps.size());
-  double squares = 0.0;
-  for (const double step : steps) squares += (step - mean) * (step - mean);
-  return std::sqrt(squares / static_cast<double>(steps.size())) / mean;
+  return std::sqrt(SquaresAroundMean(steps)) / MeanOf(steps);
 }
 
 // Whether the values are spaced more evenly by their logarithm. They must span nearly a decade.
@@ -136,11 +132,10 @@ std::vector<SweptOption> FindSweptOptions(const SuiteData& data,
   return options;
 }
 
-// Columns that belong in one figure. The coverage is last.
+// Columns that belong in one figure. The coverage, if the table has it, is last.
 struct MetricGroup {
   std::string name;
   std::vector<std::size_t> columns;
-  bool has_coverage = false;
 };
 
 bool IsCoverage(const Column& column) { return column.metric.ends_with("coverage"); }
@@ -158,10 +153,9 @@ std::vector<MetricGroup> GroupColumns(const Table& table) {
     FindOrAdd(groups, &MetricGroup::name, {GroupOf(table.columns[i]), {}}).columns.push_back(i);
   }
   for (MetricGroup& group : groups) {
-    const std::string coverage =
-        group.name == "camera errors" ? "camera_coverage" : "object_coverage";
-    const Column* found = FindBy(table.columns, &Column::metric, coverage);
-    group.has_coverage = found != nullptr;
+    const bool camera = group.name == "camera errors";
+    const Column* found = FindBy(table.columns, &Column::metric,
+                                 std::string(camera ? "camera_coverage" : "object_coverage"));
     if (found) group.columns.push_back(static_cast<std::size_t>(found - table.columns.data()));
   }
   return groups;
@@ -183,7 +177,6 @@ Panel CurvePanel(const SweptOption& option, const Table& table, std::size_t colu
   if (mark && (!option.log_spaced || *mark > 0.0)) {
     panel.rules = {{*mark, true, "default " + NumberText(*mark)}};
   }
-  std::vector<Series> curves;
   for (const SweptLine& line : option.lines) {
     Series curve{SeriesKind::kLine, line.label, palette.Points(line.label), {}};
     for (const auto& [value, row] : line.points) {
@@ -191,21 +184,15 @@ Panel CurvePanel(const SweptOption& option, const Table& table, std::size_t colu
       Datum datum{value, std::numeric_limits<double>::quiet_NaN()};
       if (cell.present) datum.y = shown.scale * cell.value;
       datum.tip = StrCat(line.label, ", ", NumberText(value), ": ", CellValueText(cell, metric));
-      if (cell.present && cell.interval) {
-        datum.y_interval = {shown.scale * cell.interval->low, shown.scale * cell.interval->high};
-      }
+      if (cell.present) datum.y_interval = IntervalOf(cell.interval, shown.scale);
       curve.data.push_back(std::move(datum));
     }
     if (option.lines.size() <= kMaxBands) {
-      Series band = curve;
-      band.kind = SeriesKind::kBand;
-      band.name.clear();
-      band.look.opacity = 0.18;
-      panel.series.push_back(std::move(band));
+      AddWithBand(std::move(curve), panel.series);
+    } else {
+      panel.series.push_back(std::move(curve));
     }
-    curves.push_back(std::move(curve));
   }
-  panel.series.insert(panel.series.end(), curves.begin(), curves.end());
   return panel;
 }
 
@@ -227,12 +214,10 @@ Figure SensitivityFigure(const SweptOption& option, const MetricGroup& group, co
   const std::string relation = RelationText(columns);
   if (!relation.empty()) figure.title += ". " + Capitalised(relation);
   figure.caption = StrCat(
-      "Points: values of the table",
-      option.lines.size() <= kMaxBands ? ", bands: their intervals. " : ". ",
-      IntervalText(table, group.columns),
+      "Points: values of the table. ", IntervalText(table, group.columns),
       option.default_value ? " Dotted: the default, " + NumberText(*option.default_value) + "."
                            : " The default of this option is not known here.",
-      group.has_coverage ? "" : " The suite's table has no coverage for these metrics.");
+      IsCoverage(*columns.back()) ? "" : " The suite's table has no coverage for these metrics.");
   return figure;
 }
 

@@ -4,127 +4,103 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "reports/figures/suite_parts.h"
-#include "reports/tables/cells.h"
+#include "reports/tables/make_table.h"
 
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kMaxSceneRows = 400;
+// Minus the number of options, among those that the suite varies, that the run does not leave at
+// their defaults.
+int OptionsAtDefault(const PlannedRun& run, const Table& table) {
+  return -static_cast<int>(std::count_if(run.keys.begin(), run.keys.end(), [&](const auto& key) {
+    if (!IsOption(key.first)) return false;
+    const auto* option = FindBy(table.provenance.options, &ChangedOption::path, key.first);
+    return option == nullptr || option->default_value != key.second;
+  }));
+}
 
-// The keys of the table, and the sequence.
+std::set<std::string> ValuesOf(const SuitePlan& plan, const std::string& key) {
+  std::set<std::string> values;
+  for (const PlannedRun& run : plan.runs) values.insert(KeyOf(run, key));
+  return values;
+}
+
+// A run to be drawn, without what it estimates.
+DrawnRun Describe(const SuitePlan& plan, const PlannedRun& run) {
+  DrawnRun drawn;
+  drawn.sequence = KeyOf(run, "sequence");
+  if (ValuesOf(plan, "detections").size() > 1) {
+    drawn.sequence += ", detections " + KeyOf(run, "detections");
+  }
+  drawn.variant = KeyOf(run, "variant");
+  const std::string oracle = KeyOf(run, "oracle");
+  if (oracle != "none" && oracle != "default") drawn.variant += ", oracle " + oracle;
+  drawn.seed = run.seed;
+  drawn.job = run.job;
+  return drawn;
+}
+
+// The run to draw per sequence and variant.
+struct Choice {
+  std::pair<std::string, std::string> key;
+  int score = 0;
+  const SuiteRun* run = nullptr;
+  DrawnRun drawn;
+};
+
+std::vector<Choice> ChooseRuns(const SuiteData& data) {
+  std::vector<Choice> choices;
+  for (const SuiteRun& run : data.runs) {
+    if (!run.run || !run.planned.system.empty()) continue;
+    const DrawnRun drawn = Describe(data.plan, run.planned);
+    const Choice fresh{
+        {drawn.sequence, drawn.variant}, OptionsAtDefault(run.planned, data.table), &run, drawn};
+    Choice& known = FindOrAdd(choices, &Choice::key, fresh);
+    if (fresh.score > known.score) known = fresh;
+  }
+  return choices;
+}
+
+// Runs that cannot be drawn, or not in full, by the reason.
+using Reason = std::pair<std::string, std::vector<std::string>>;
+
+void ReadDrawn(Choice& choice, SuiteData& data, std::vector<Reason>& reasons) {
+  DrawnRun& drawn = choice.drawn;
+  const auto add = [&](const std::string& reason) {
+    FindOrAdd(reasons, &Reason::first, {reason, {}})
+        .second.push_back(StrCat(drawn.sequence, " ", drawn.variant, " seed ", drawn.seed));
+  };
+  const std::filesystem::path folder = choice.run->run->file.parent_path();
+  try {
+    drawn.detail = ReadRunDetail(folder);
+    data.drawn.push_back(drawn);
+    for (const std::string& missing : drawn.detail.missing) add(missing);
+    if (drawn.detail.bodies.empty()) return;
+    const std::filesystem::path landmarks = folder / "landmarks.csv";
+    if (!std::filesystem::exists(landmarks)) return add("landmarks.csv: no such file");
+    data.drawn.back().switches =
+        IdentitySwitches(ReadLandmarks(landmarks, LandmarkLabel::kCluster), drawn.detail.bodies);
+  } catch (const Error& error) {
+    add(error.what());
+  }
+}
+
 std::vector<std::string> KeysByScene(const Table& table) {
   std::vector<std::string> keys = table.keys;
   AddOnce<std::string>("sequence", keys);
   return keys;
 }
 
-// Minus the number of options, among those that the suite varies, that the run does not leave at
-// their defaults.
-int OptionsAtDefault(const PlannedRun& run, const Table& table) {
-  int count = 0;
-  for (const auto& key : run.keys) {
-    if (!IsOption(key.first)) continue;
-    const auto is_default = [&](const ChangedOption& option) {
-      return option.path == key.first && option.default_value == key.second;
-    };
-    const bool known =
-        std::any_of(table.provenance.options.begin(), table.provenance.options.end(), is_default);
-    count += known ? 0 : -1;
-  }
-  return count;
-}
-
-bool HasSeveral(const SuitePlan& plan, const std::string& key) {
-  std::set<std::string> values;
-  for (const PlannedRun& run : plan.runs) values.insert(KeyOf(run, key));
-  return values.size() > 1;
-}
-
-std::string SequenceOf(const SuitePlan& plan, const PlannedRun& run) {
-  std::string name = KeyOf(run, "sequence");
-  if (HasSeveral(plan, "detections")) name += ", detections " + KeyOf(run, "detections");
-  return name;
-}
-
-std::string VariantOf(const PlannedRun& run) {
-  const std::string oracle = KeyOf(run, "oracle");
-  const std::string variant = KeyOf(run, "variant");
-  return oracle == "none" || oracle == "default" ? variant : variant + ", oracle " + oracle;
-}
-
-// The run to draw per sequence and variant: the one nearest to the defaults; of several, the first
-// in the plan.
-std::vector<const SuiteRun*> ChooseRuns(const SuiteData& data) {
-  std::vector<std::pair<std::string, std::string>> order;
-  std::map<std::pair<std::string, std::string>, std::pair<int, const SuiteRun*>> best;
-  for (const SuiteRun& run : data.runs) {
-    if (!run.run || run.planned.system) continue;
-    const std::pair key(SequenceOf(data.plan, run.planned), VariantOf(run.planned));
-    const int score = OptionsAtDefault(run.planned, data.table);
-    const auto [found, is_new] = best.try_emplace(key, score, &run);
-    if (is_new) order.push_back(key);
-    if (score > found->second.first) found->second = {score, &run};
-  }
-  std::vector<const SuiteRun*> chosen;
-  for (const auto& key : order) chosen.push_back(best[key].second);
-  return chosen;
-}
-
-// Reasons why runs or parts of them cannot be drawn, each with the runs it applies to.
-class Reasons {
- public:
-  void Add(const std::string& reason, const DrawnRun& run) {
-    FindOrAdd(reasons_, &Reason::first, {reason, {}})
-        .second.push_back(StrCat(run.sequence, " ", run.variant, " seed ", run.seed));
-  }
-  std::vector<std::string> Texts() const {
-    std::vector<std::string> texts;
-    for (const auto& [reason, runs] : reasons_) {
-      std::string text = StrCat(reason, " (", runs.front());
-      if (runs.size() > 1) text += StrCat(" and ", runs.size() - 1, " more runs");
-      texts.push_back(text + ").");
-    }
-    return texts;
-  }
-
- private:
-  using Reason = std::pair<std::string, std::vector<std::string>>;
-  std::vector<Reason> reasons_;
-};
-
-void ReadDrawn(const SuiteRun& run, SuiteData& data, Reasons& reasons) {
-  DrawnRun drawn{SequenceOf(data.plan, run.planned),
-                 VariantOf(run.planned),
-                 run.planned.seed,
-                 run.planned.job,
-                 {},
-                 std::nullopt};
-  const std::filesystem::path folder = run.run->file.parent_path();
-  try {
-    drawn.detail = ReadRunDetail(folder);
-  } catch (const Error& error) {
-    reasons.Add(error.what(), drawn);
-    return;
-  }
-  for (const std::string& missing : drawn.detail.missing) reasons.Add(missing, drawn);
-  try {
-    if (!drawn.detail.bodies.empty()) {
-      drawn.switches = ReadIdentitySwitches(folder, drawn.detail.bodies);
-    }
-  } catch (const Error& error) {
-    reasons.Add(error.what(), drawn);
-  }
-  data.drawn.push_back(std::move(drawn));
-}
-
 // Describes what identifies a row apart from its sequence.
-SeriesRows Describe(const std::vector<std::string>& keys, const std::vector<std::string>& values) {
+SeriesRows DescribeSeries(const std::vector<std::string>& keys,
+                          const std::vector<std::string>& values) {
   SeriesRows series;
   const auto add = [](const std::string& text, std::string& list) {
     list += StrCat(list.empty() ? "" : ", ", text);
@@ -138,29 +114,36 @@ SeriesRows Describe(const std::vector<std::string>& keys, const std::vector<std:
   return series;
 }
 
-std::vector<Cell> CellsOf(const RowRuns& row, const RowRuns* reference,
-                          const std::vector<std::string>& keys, const Table& table) {
-  std::vector<Cell> cells;
-  for (const Column& column : table.columns) {
-    Cell cell = MakeCell(row, keys, column);
-    if (reference != nullptr && cell.present && AreComparable(row, *reference, column)) {
-      cell.difference = MakeDifference({keys, row, *reference, table.reference}, column);
-    }
-    cells.push_back(std::move(cell));
+// Splits the rows of the table by sequence, in the order of the table, with differences against its
+// reference.
+std::vector<SeriesRows> SplitByScene(const SuiteData& data) {
+  Table table;
+  table.keys = KeysByScene(data.table);
+  table.columns = data.table.columns;
+  table.reference = data.table.reference;
+  SuitePlan plan = data.plan;
+  plan.rows = table.keys;
+  const std::string reference = FullReference(plan);
+  const std::vector<RowRuns> rows = GroupRuns(data.runs, table.keys);
+  AddRows(
+      rows, ".",
+      [&](const RowRuns& row) { return FindReference(rows, row, table.keys, reference); }, table);
+  const auto sequence = static_cast<std::size_t>(
+      std::find(table.keys.begin(), table.keys.end(), "sequence") - table.keys.begin());
+  std::vector<SeriesRows> series;
+  for (Row& row : table.rows) {
+    SeriesRows described = DescribeSeries(table.keys, row.keys);
+    if (described.name.empty()) described.name = OneVariant(data.plan);
+    FindOrAdd(series, &SeriesRows::label, std::move(described))
+        .scenes.push_back({row.keys[sequence], std::move(row.cells)});
   }
-  return cells;
-}
-
-void CorrectTogether(std::vector<SeriesRows>& series) {
-  std::vector<Difference*> differences;
-  for (SeriesRows& rows : series) {
-    for (SceneRow& scene : rows.scenes) {
-      for (Cell& cell : scene.cells) {
-        if (cell.difference) differences.push_back(&*cell.difference);
-      }
-    }
+  if (table.keys.size() == data.table.keys.size()) return series;
+  for (const Row& row : data.table.rows) {
+    SeriesRows* known =
+        FindBy(series, &SeriesRows::label, DescribeSeries(data.table.keys, row.keys).label);
+    if (known != nullptr) known->all = &row;
   }
-  CorrectForMany(differences);
+  return series;
 }
 
 }  // namespace
@@ -172,9 +155,13 @@ SuiteData ReadSuiteData(const std::filesystem::path& folder, const Table& table)
   std::vector<std::string> metrics;
   for (const Column& column : table.columns) metrics.push_back(column.metric);
   data.runs = ReadRuns(folder, data.plan, metrics);
-  Reasons reasons;
-  for (const SuiteRun* run : ChooseRuns(data)) ReadDrawn(*run, data, reasons);
-  data.not_drawn = reasons.Texts();
+  std::vector<Reason> reasons;
+  for (Choice& choice : ChooseRuns(data)) ReadDrawn(choice, data, reasons);
+  for (const auto& [reason, runs] : reasons) {
+    data.not_drawn.push_back(
+        StrCat(reason, " (", runs.front(),
+               runs.size() > 1 ? StrCat(" and ", Counted(runs.size() - 1, "more run")) : "", ")."));
+  }
   return data;
 }
 
@@ -184,8 +171,7 @@ bool IsOption(const std::string& key) {
 }
 
 std::string OneVariant(const SuitePlan& plan) {
-  std::set<std::string> variants;
-  for (const PlannedRun& run : plan.runs) variants.insert(KeyOf(run, "variant"));
+  const std::set<std::string> variants = ValuesOf(plan, "variant");
   return variants.size() == 1 ? *variants.begin() : "all variants";
 }
 
@@ -196,31 +182,10 @@ Palette PaletteOf(const SuitePlan& plan, const std::vector<std::string>& others)
   return Palette(names);
 }
 
-std::vector<SeriesRows> SplitByScene(const SuiteData& data) {
-  const std::vector<std::string> keys = KeysByScene(data.table);
-  const std::vector<RowRuns> rows = GroupRuns(data.runs, keys);
-  SuitePlan plan = data.plan;
-  plan.rows = keys;
-  const std::string reference = FullReference(plan);
-  const auto sequence = std::find(keys.begin(), keys.end(), "sequence") - keys.begin();
-  std::vector<SeriesRows> series;
-  for (const RowRuns& row : rows) {
-    SeriesRows described = Describe(keys, row.keys);
-    if (described.name.empty()) described.name = OneVariant(data.plan);
-    FindOrAdd(series, &SeriesRows::label, std::move(described))
-        .scenes.push_back(
-            {row.keys[static_cast<std::size_t>(sequence)],
-             CellsOf(row, FindReference(rows, row, keys, reference), keys, data.table)});
-  }
-  CorrectTogether(series);
-  for (const Row& row : data.table.rows) {
-    if (keys.size() == data.table.keys.size()) break;
-    const std::string label = Describe(data.table.keys, row.keys).label;
-    for (SeriesRows& known : series) {
-      if (known.label == label) known.all = &row;
-    }
-  }
-  return series;
+Palette PaletteOfDrawn(const SuiteData& data) {
+  std::vector<std::string> variants;
+  for (const DrawnRun& run : data.drawn) variants.push_back(run.variant);
+  return PaletteOf(data.plan, variants);
 }
 
 std::vector<DrawnScene> GroupByScene(const std::vector<DrawnRun>& runs) {
@@ -231,23 +196,38 @@ std::vector<DrawnScene> GroupByScene(const std::vector<DrawnRun>& runs) {
   return scenes;
 }
 
-std::vector<std::string> VariantsOf(const std::vector<DrawnRun>& runs) {
-  std::vector<std::string> variants;
-  for (const DrawnRun& run : runs) AddOnce(run.variant, variants);
-  return variants;
+std::string SceneText(const DrawnScene& scene) {
+  std::set<std::uint64_t> seeds;
+  for (const DrawnRun* run : scene.runs) seeds.insert(run->seed);
+  return StrCat(scene.sequence, seeds.size() > 1 ? ", seeds " : ", seed ", Joined(seeds, ", "),
+                ". Truth aligned by the camera (rotation: mean over its orientations, "
+                "translation: over its positions), one rigid offset per body");
 }
 
-std::string SeedText(const DrawnScene& scene) {
-  const auto same = [&](const DrawnRun* run) { return run->seed == scene.runs.front()->seed; };
-  if (std::all_of(scene.runs.begin(), scene.runs.end(), same)) {
-    return StrCat("seed ", scene.runs.front()->seed);
-  }
-  return "seeds: " + Joined(scene.runs, ", ", [](const DrawnRun* run) {
-           return StrCat(run->variant, " ", run->seed);
-         });
+void Track::Add(int frame, double x, double y) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  if (!data.empty() && frame > last + 1) data.push_back({kGap, kGap});
+  data.push_back({x, y});
+  last = frame;
+}
+
+void AddWithBand(Series line, std::vector<Series>& series) {
+  Series band = line;
+  band.kind = SeriesKind::kBand;
+  band.name.clear();
+  band.look.opacity = 0.18;
+  series.push_back(std::move(band));
+  series.push_back(std::move(line));
+}
+
+std::optional<ValueRange> IntervalOf(const std::optional<Interval>& interval, double scale,
+                                     double base) {
+  if (!interval) return std::nullopt;
+  return ValueRange{base + scale * interval->low, base + scale * interval->high};
 }
 
 SuiteFigures MakeSuiteFigures(const SuiteData& data) {
+  constexpr std::size_t kMaxSceneRows = 400;
   SuiteFigures figures;
   const std::size_t rows = GroupRuns(data.runs, KeysByScene(data.table)).size();
   if (rows <= kMaxSceneRows) {
@@ -260,11 +240,9 @@ SuiteFigures MakeSuiteFigures(const SuiteData& data) {
                " rows of the table by sequence, at most ", kMaxSceneRows, " can be read."));
   }
   AddWaterfall(data, figures);
-  AddDriftReduction(data, figures);
   AddSensitivity(data, figures);
   AddErrorOverTime(data, figures);
   AddTrajectories(data, figures);
-  AddFrameTracks(data, figures);
   AddCalibration(data, figures);
   AddStageTimes(data, figures);
   // Names of sequences that differ only in punctuation give figures the same name.

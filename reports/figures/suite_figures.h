@@ -3,13 +3,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/record/suite_runs.h"
 #include "reports/chart/chart.h"
-#include "reports/runs/identity_switches.h"
 #include "reports/runs/run_detail.h"
 #include "reports/tables/table.h"
 
@@ -22,7 +20,7 @@ struct DrawnRun {
   std::uint64_t seed = 0;
   std::string job;
   RunDetail detail;
-  std::optional<std::vector<IdentitySwitch>> switches;  // empty: unknown
+  std::vector<IdentitySwitch> switches;
 };
 
 // Everything that figures are made of.

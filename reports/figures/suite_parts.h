@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "reports/figures/palette.h"
+#include "reports/figures/figure_style.h"
 #include "reports/figures/suite_figures.h"
 
+// What the kinds of figures of a suite share, and the function that adds each kind.
 namespace cvo::reports {
 
 bool IsOption(const std::string& key);  // other keys identify inputs and estimators
@@ -17,6 +18,7 @@ std::string OneVariant(const SuitePlan& plan);
 
 // The palette of the variants of a suite, followed by other names.
 Palette PaletteOf(const SuitePlan& plan, const std::vector<std::string>& others = {});
+Palette PaletteOfDrawn(const SuiteData& data);
 
 // The drawn runs of one sequence, one per variant.
 struct DrawnScene {
@@ -26,15 +28,23 @@ struct DrawnScene {
 // In the order of the data, which must outlive the result.
 std::vector<DrawnScene> GroupByScene(const std::vector<DrawnRun>& runs);
 
-std::vector<std::string> VariantsOf(const std::vector<DrawnRun>& runs);
+// What the titles of figures of a scene end with: its seeds, and how the truth is aligned.
+std::string SceneText(const DrawnScene& scene);
 
-// The seeds of the runs: "seed 1" if they are the same, or "seeds: full 1, 2d 2".
-std::string SeedText(const DrawnScene& scene);
+// Values over frames, or places along a path. Frames that are left out are a gap.
+struct Track {
+  std::vector<Datum> data = {};
+  int last = 0;
 
-// How the truth is aligned to the world frame of a run, for titles.
-inline constexpr const char* kTruthAlignment =
-    "truth aligned by the camera (rotation: mean over its orientations, translation: over its "
-    "positions), one rigid offset per body";
+  void Add(int frame, double x, double y);
+};
+
+// Adds a line, and behind it the band of its intervals.
+void AddWithBand(Series line, std::vector<Series>& series);
+
+// The interval of a cell, as its values are shown.
+std::optional<ValueRange> IntervalOf(const std::optional<Interval>& interval, double scale,
+                                     double base = 0.0);
 
 // The part of a table row that belongs to one sequence.
 struct SceneRow {
@@ -51,28 +61,19 @@ struct SeriesRows {
   std::vector<SceneRow> scenes;
 };
 
-// Splits the rows of the table by sequence, in the order of the table, with differences against its
-// reference. `data` must outlive the result.
-std::vector<SeriesRows> SplitByScene(const SuiteData& data);
-
 // Each of these functions adds the figures of its kind, or says why there are none.
 
-// Change in error by sequence. `series`: from SplitByScene.
+// Change in error by sequence.
 void AddErrorReduction(const SuiteData& data, const std::vector<SeriesRows>& series,
                        SuiteFigures& figures);
 void AddErrorOverCoverage(const SuiteData& data, const std::vector<SeriesRows>& series,
                           SuiteFigures& figures);
 // For suites whose rows are compared with the row above.
 void AddWaterfall(const SuiteData& data, SuiteFigures& figures);
-// Maximum drift against published figures (ReferenceFigure), for the camera and for each body.
-void AddDriftReduction(const SuiteData& data, SuiteFigures& figures);
 // Metrics over the value of an option, with their coverage.
 void AddSensitivity(const SuiteData& data, SuiteFigures& figures);
 void AddErrorOverTime(const SuiteData& data, SuiteFigures& figures);
 void AddTrajectories(const SuiteData& data, SuiteFigures& figures);
-// Which frames were in the spatial and in the temporal track, for the first run that has a spatial
-// track.
-void AddFrameTracks(const SuiteData& data, SuiteFigures& figures);
 // The mean of the estimated calibration error over time, if a run estimates it.
 void AddCalibration(const SuiteData& data, SuiteFigures& figures);
 void AddStageTimes(const SuiteData& data, SuiteFigures& figures);

@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/record/metric_catalogue.h"
-#include "core/record/timing.h"
+#include "core/record/run_summary.h"
 #include "reports/tables/cells.h"
 
 namespace cvo::reports {
@@ -181,7 +181,7 @@ Baseline MakeBaseline(const fs::path& folder, std::size_t gate_seeds) {
 
 GateRuns ReadGateRuns(const fs::path& folder, std::vector<std::string> metrics) {
   SuitePlan plan = ReadPlan(folder / "plan.json");
-  std::erase_if(plan.runs, [](const PlannedRun& run) { return run.system; });
+  std::erase_if(plan.runs, [](const PlannedRun& run) { return !run.system.empty(); });
   if (metrics.empty()) metrics = WithCoverage(plan.metrics);
   std::erase_if(metrics, [](const std::string& metric) { return !FindEntry(metric); });
   std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);

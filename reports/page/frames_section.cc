@@ -13,7 +13,7 @@
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 #include "reports/overlays/overlay_run.h"
-#include "reports/page/html.h"
+#include "reports/page/page.h"
 
 namespace cvo::reports {
 namespace {
@@ -222,10 +222,6 @@ std::string ImagesHtml(const PageScene& scene) {
                    Base64(image.jpeg), "\">\n");
   }
   html += Element("figcaption", "Left image with what was estimated") + "\n";
-  if (!scene.images_folder.empty()) {
-    html += StrCat("<p class=\"all-frames\"><a href=\"", Escaped(scene.images_folder),
-                   "/\">Every frame of this run, larger</a></p>\n");
-  }
   return html + "</figure>\n";
 }
 

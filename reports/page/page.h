@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,7 @@ struct PageScene {
   bool wants_images = false;
   RunDetail detail = {};
   std::vector<PageImage> images = {};
-  std::string no_images = {};      // why there are none
-  std::string images_folder = {};  // folder beside the page with images of all frames; empty: none
+  std::string no_images = {};  // why there are none
 };
 
 // Everything that a page shows. A part that could not be made is empty, and `problems` says why.
@@ -77,5 +77,40 @@ void ChooseScenes(std::size_t most, PageContent& content);
 // One self-contained page, which needs no network. The same content gives the same bytes. All
 // statements are in its HTML; its script only sorts, unfolds and moves through frames.
 std::string PageHtml(const PageContent& content);
+
+// ---- The parts of pages as HTML. Every text given to these functions is escaped.
+
+// Escapes a text, on one line, for use between tags or in a quoted attribute.
+std::string Escaped(std::string_view text);
+
+// Returns <tag>text</tag>.
+std::string Element(const std::string& tag, std::string_view text);
+
+// A heading, if it is not empty, and one item for each text; empty if there is none.
+std::string ListHtml(const std::string& heading, const std::vector<std::string>& texts);
+
+// A list of names and values; empty if there is none.
+std::string FactsHtml(const std::vector<Fact>& facts);
+
+// The values of a table, its differences as a second one, and its notes. `id` begins the ids of
+// elements and must be unique within a page.
+std::string ResultTable(const Table& table, const std::string& id);
+
+// A complete page with this body. No script but our own can run in it, and nothing is loaded from
+// the network.
+std::string HtmlDocument(const std::string& title, const std::string& body);
+
+// The files page.css and page.js.
+std::string_view PageStyle();
+std::string_view PageScript();
+
+// Sections of the page of a suite. Each is there even if it only says that there is nothing to
+// show, except that a page compared with nothing has no comparison.
+std::string SummarySection(const PageContent& content);
+std::string ComparisonSection(const PageContent& content);
+std::string FramesSection(const PageContent& content);
+
+// What differs between the rows of a table and their reference.
+std::string FindingsHtml(const Table& table, const std::string& reference);
 
 }  // namespace cvo::reports

@@ -1,16 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/sha256.h"
+#include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
-#include "core/record/contract_text.h"
 #include "core/record/metric_catalogue.h"
-#include "reports/figures/numbers.h"
-#include "reports/page/html.h"
+#include "reports/figures/figure_style.h"
+#include "reports/page/page.h"
 
 namespace cvo::reports {
 namespace {
@@ -71,8 +70,10 @@ std::string FigureHtml(const Figure& figure) {
   style.css = false;
   return StrCat("<figure class=\"figure\" id=\"figure-", Escaped(figure.name), "\">\n<figcaption>",
                 Element("strong", figure.title.substr(0, end)), Escaped(figure.title.substr(end)),
-                Element("p", figure.caption), "</figcaption>\n<div class=\"scroll chart\">",
-                ChartSvg(figure.chart, style), "</div>\n</figure>\n");
+                Element("p", figure.caption),
+                "</figcaption>\n<div class=\"scroll chart\" style=\"--part:",
+                FormatGeneral(figure.chart.width, 4), "\">", ChartSvg(figure.chart, style),
+                "</div>\n</figure>\n");
 }
 
 std::string FiguresSection(const PageContent& content) {
@@ -111,58 +112,29 @@ std::string JobsWithoutValue(const std::vector<PageRun>& runs) {
   return ListHtml("Runs that failed, are missing or lost the camera", lines);
 }
 
-// Texts that apply to several names, each listed once with those names.
-class NamesPerText {
- public:
-  void Add(const std::string& text, const std::string& name) {
-    FindOrAdd(texts_, &Entry::first, {text, {}}).second.insert(name);
-  }
-  std::string Html(const std::string& heading) const {
-    std::vector<std::string> lines;
-    for (const auto& [text, names] : texts_) {
-      lines.push_back(StrCat(text, " (", Listed({names.begin(), names.end()}), ")"));
-    }
-    return ListHtml(heading, lines);
-  }
-
- private:
-  using Entry = std::pair<std::string, std::set<std::string>>;
-  std::vector<Entry> texts_;
-};
-
-std::string CellsWithoutValue(const Table& table) {
-  NamesPerText cells;
-  for (const Row& row : table.rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const Cell& cell = row.cells[i];
-      if (cell.present) continue;
-      cells.Add(
-          StrCat(table.columns[i].label, ": ", cell.message.empty() ? "no value" : cell.message),
-          RowLabel(row));
-    }
-  }
-  return cells.Html("Cells without a value");
-}
-
+// Each file is listed once, with the runs that lack it.
 std::string UnreadableFiles(const PageContent& content) {
-  NamesPerText files;
+  using Entry = std::pair<std::string, std::vector<std::string>>;
+  std::vector<Entry> files;
+  const auto add = [&files](const std::string& file, const SuiteRun& run) {
+    AddOnce(RunText(run), FindOrAdd(files, &Entry::first, {file, {}}).second);
+  };
   for (const PageRun& run : content.runs) {
-    for (const std::string& file : run.missing) files.Add(file, RunText(run.run));
+    for (const std::string& file : run.missing) add(file, run.run);
   }
   for (const PageScene& scene : content.scenes) {
-    const std::string name = RunText(content.runs[scene.run].run);
-    for (const std::string& file : scene.detail.missing) files.Add(file, name);
-    if (!scene.no_images.empty()) files.Add("images: " + scene.no_images, name);
+    const SuiteRun& run = content.runs[scene.run].run;
+    for (const std::string& file : scene.detail.missing) add(file, run);
+    if (!scene.no_images.empty()) add("images: " + scene.no_images, run);
   }
-  return files.Html("Missing or unreadable files");
+  std::vector<std::string> lines;
+  for (const auto& [file, runs] : files) lines.push_back(StrCat(file, " (", Listed(runs), ")"));
+  return ListHtml("Missing or unreadable files", lines);
 }
 
 std::string MissingSection(const PageContent& content) {
   std::string html = JobsWithoutValue(content.runs);
-  if (content.table) {
-    html +=
-        CellsWithoutValue(*content.table) + ListHtml("Notes for comparison", content.table->notes);
-  }
+  if (content.table) html += ListHtml("Notes for comparison", content.table->notes);
   html += UnreadableFiles(content) + ListHtml("Not shown in figures", content.drawing.not_drawn);
   if (html.empty()) html = "<p>Nothing is missing.</p>\n";
   return "<section id=\"missing\">\n<h2>What is missing</h2>\n" + html + "</section>\n";
@@ -170,7 +142,7 @@ std::string MissingSection(const PageContent& content) {
 
 std::string Meaning(const Column& column) {
   const std::optional<MetricForm> form = FindForm(column.metric);
-  std::string meaning = form ? EntryOf(form->id).meaning : "See the definition below.";
+  std::string meaning = form ? EntryOf(form->id).meaning : "See its definition below the table.";
   if (form && form->bodies == BodyGroup::kStanding) meaning += " Of objects that stand still.";
   if (form && form->bodies == BodyGroup::kPredicted) {
     meaning += " Of frames in which it was predicted.";
@@ -182,29 +154,15 @@ std::string Meaning(const Column& column) {
   return meaning;
 }
 
-std::string MetricHtml(const Column& column) {
-  const bool has_unit = column.unit != "1" && !column.unit.empty();
-  std::vector<std::string> definition;
-  for (const auto& [name, text] : ContractTexts(column.contract)) {
-    definition.push_back(StrCat(name, ": ", text));
-  }
-  std::string html =
-      StrCat(Element("dt", column.label + (has_unit ? StrCat(" [", column.unit, "]") : "")),
-             "\n<dd>", Escaped(Meaning(column)));
-  if (!definition.empty()) {
-    html += StrCat("<details><summary>Exact definition</summary>\n", ListHtml("", definition),
-                   "</details>");
-  }
-  return html + "</dd>\n";
-}
-
 std::string GlossarySection(const PageContent& content) {
   std::string html = "<section id=\"glossary\">\n<h2>Terms and metrics</h2>\n<dl>\n";
   for (const auto& [name, meaning] : kTerms) {
     html += Element("dt", name) + Element("dd", meaning) + "\n";
   }
   if (content.table) {
-    for (const Column& column : content.table->columns) html += MetricHtml(column);
+    for (const Column& column : content.table->columns) {
+      html += Element("dt", column.label) + Element("dd", Meaning(column)) + "\n";
+    }
   }
   return html + "</dl>\n</section>\n";
 }

@@ -122,7 +122,7 @@ std::vector<std::size_t> FirstSeeds(const std::vector<PageRun>& runs) {
   std::map<std::map<std::string, std::string>, std::size_t> first;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const SuiteRun& run = runs[i].run;
-    if (!run.run || run.planned.system) continue;
+    if (!run.run || !run.planned.system.empty()) continue;
     const auto [entry, added] = first.try_emplace(run.planned.keys, i);
     if (!added && run.planned.seed < runs[entry->second].run.planned.seed) entry->second = i;
   }

@@ -4,8 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
-#include "reports/chart/chart_layout.h"
-#include "reports/page/html.h"
+#include "reports/page/page.h"
 #include "reports/tables/table_texts.h"
 
 namespace cvo::reports {

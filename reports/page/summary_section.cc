@@ -6,29 +6,20 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "reports/figures/numbers.h"
-#include "reports/page/html.h"
+#include "reports/figures/figure_style.h"
+#include "reports/page/page.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/cells.h"
+#include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
 namespace {
 
-std::string WithUnit(const std::string& number, const std::string& unit) {
-  return unit.empty() ? number : StrCat(number, " ", unit);
-}
-
-// A number with its unit for readers: "0.0625 m", "93.1 %" for a share, "3" for a count.
-std::string QuantityText(double value, const Column& column) {
-  const Shown shown = ShownAs(column.metric, column.unit);
-  return WithUnit(NumberText(shown.scale * value), shown.unit);
-}
-
-// The same for a difference, with its sign.
+// A difference, with its sign and its unit.
 std::string ChangeText(double value, const Column& column) {
-  const Shown shown = ShownAs(column.metric, column.unit);
-  return WithUnit(StrCat(value > 0.0 ? "+" : "", NumberText(shown.scale * value)),
-                  shown.is_share ? "percentage points" : shown.unit);
+  const std::string text = StrCat(value > 0.0 ? "+" : "", QuantityText(value, column));
+  const bool share = ShownAs(column.metric, column.unit).is_share;
+  return share ? text.substr(0, text.size() - 1) + "percentage points" : text;
 }
 
 // "0.05 to 0.07 m".
@@ -36,14 +27,6 @@ std::string RangeText(const Interval& interval, const Column& column) {
   const Shown shown = ShownAs(column.metric, column.unit);
   return StrCat(NumberText(shown.scale * interval.low), " to ",
                 QuantityText(interval.high, column));
-}
-
-// The label of a column, with its unit if another column has the same label.
-std::string NameOf(const Column& column, const Table& table) {
-  const auto count =
-      std::count_if(table.columns.begin(), table.columns.end(),
-                    [&](const Column& other) { return other.label == column.label; });
-  return count > 1 ? StrCat(column.label, " (", column.unit, ")") : column.label;
 }
 
 // A significant difference.
@@ -150,19 +133,6 @@ std::string ComparedText(const PageContent& content, const Table& table) {
                 splits.empty() ? "" : ".");
 }
 
-std::string JobsText(const JobCounts& jobs) {
-  std::string text = StrCat(jobs.done, " of ", Counted(jobs.planned, "run"), " ",
-                            jobs.done == 1 ? "is" : "are", " complete");
-  const auto add = [&text](std::size_t count, const char* what) {
-    if (count > 0) text += StrCat("; ", count, " ", what);
-  };
-  add(jobs.lost, "of them lost the camera");
-  add(jobs.failed, "failed");
-  add(jobs.not_run, "not run yet");
-  add(jobs.no_data, "without their sequence");
-  return text + (jobs.AllDone() && jobs.lost == 0 ? "; none failed." : ".");
-}
-
 std::string RuleText(const std::string& reference) {
   return StrCat(
       "Differences are relative to ", reference,
@@ -203,7 +173,7 @@ std::string SummarySection(const PageContent& content) {
   if (!content.table) return html + "</section>\n";
   const Table& table = *content.table;
   html += Element("p", ComparedText(content, table)) + "\n" + FactsHtml(content.variants);
-  html += "<p>" + Escaped(JobsText(table.jobs));
+  html += "<p>" + Escaped(JobsText(table.jobs)) + ".";
   if (!table.problems.empty()) html += " <a href=\"#missing\">What is missing, and why</a>.";
   html += "</p>\n";
   if (table.reference.empty()) {

@@ -24,18 +24,7 @@ struct ComparedRun {
   std::string build;
   std::map<std::string, std::string> options;  // those that differ between the runs
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("folder", self.folder);
-    archive.Field("variant", self.variant);
-    archive.Field("seed", self.seed);
-    archive.Field("status", self.status);
-    archive.Field("first_frame", self.first_frame);
-    archive.Field("frames", self.frames);
-    archive.Field("build", self.build);
-    archive.Field("options", self.options);
-  }
+  CVO_FIELDS(name, folder, variant, seed, status, first_frame, frames, build, options);
 };
 
 // A metric with its value in each run.
@@ -45,13 +34,7 @@ struct ComparedMetric {
   std::vector<std::optional<double>> values;  // by run
   std::string differing;  // first field of its contract that differs between runs; empty: none
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("name", self.name);
-    archive.Field("unit", self.unit);
-    archive.Field("values", self.values);
-    archive.Optional("differing", self.differing);
-  }
+  CVO_RECORD(CVO_FIELD(name, unit, values) CVO_OPTIONAL(differing));
 };
 
 // A run compared with the first one on what both have: frames of one body or of the camera, or all
@@ -66,16 +49,7 @@ struct PairedComparison {
   Difference difference;
   std::string verdict;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("run", self.run);
-    archive.Field("what", self.what);
-    archive.Field("metric", self.metric);
-    archive.Field("unit", self.unit);
-    archive.Field("frames", self.frames);
-    archive.Field("difference", self.difference);
-    archive.Field("verdict", self.verdict);
-  }
+  CVO_FIELDS(run, what, metric, unit, frames, difference, verdict);
 };
 
 // Runs on one sequence, side by side. Differences are each run's value minus the first one's.
@@ -90,15 +64,7 @@ struct RunComparison {
   std::vector<PairedComparison> by_body;
   std::vector<std::string> notes;  // what is not compared, and why
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("sequence", self.sequence);
-    archive.Field("runs", self.runs);
-    archive.Field("metrics", self.metrics);
-    archive.Field("by_frame", self.by_frame);
-    archive.Field("by_body", self.by_body);
-    archive.Field("notes", self.notes);
-  }
+  CVO_FIELDS(sequence, runs, metrics, by_frame, by_body, notes);
 };
 
 // Compares the runs in at least two folders; the first is the reference for the others. Throws

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <functional>
 
+#include "core/base/lists.h"
 #include "core/files/text_file.h"
 #include "core/record/run_summary.h"
-#include "core/record/timing.h"
 
 namespace cvo::reports {
 namespace {
@@ -23,46 +23,26 @@ struct FramesOfRun {
 
   std::vector<CameraFrame> frames;
 
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("frames", self.frames);
-  }
+  CVO_FIELDS(frames);
 };
 
-void ReadTiming(const fs::path& file, RunDetail& detail) {
-  const auto timing = ReadRecord<TimingData>(file);
-  for (const auto& [stage, time] : timing.stages) {
-    detail.stages.push_back({stage, time.median_ms, time.mean_ms, time.p95_ms});
-  }
-  detail.frames_per_second = timing.frames_per_second;
-  detail.host = timing.host;
-  detail.cpu = timing.cpu;
-  detail.date = timing.date;
-  detail.paths = timing.paths;
-}
-
-void ReadTruth(const fs::path& file, RunDetail& detail) {
-  RunTruth truth = ReadTruthFile(file, detail.camera);
-  for (std::size_t i = 0; i < detail.camera.size(); ++i) {
-    detail.camera[i].truth = truth.camera[i];
-  }
-  detail.bodies = std::move(truth.bodies);
-}
-
-class TruthReader {
+// Reads the bodies of truth.json, whose frames are indices into the frames of the run.
+class BodyReader {
  public:
-  TruthReader(const std::vector<CameraFrame>& frames, std::string where)
+  BodyReader(const std::vector<CameraFrame>& frames, std::string where)
       : frames_(frames), where_(std::move(where)) {}
 
   BodyDetail Body(const TruthOfBody& of) const {
-    BodyDetail body;
-    body.id = of.id;
-    body.name = of.name;
-    body.category = of.category;
-    body.mover = of.mover;
-    body.diagonal_m = of.diagonal_m;
-    body.cluster = of.cluster;
-    AddTruth(of.truth, body);
+    BodyDetail body{{of}, {}, {}, {}, {}};
+    CheckLike(of.truth.frames.size(), of.truth.poses.size(), "truth", "poses");
+    CheckLike(of.truth.frames.size(), of.truth.visible.size(), "truth", "visible");
+    for (std::size_t i = 0; i < of.truth.frames.size(); ++i) {
+      const int frame = Frame(of.truth.frames[i], "truth");
+      body.truth.emplace_back(frame, of.truth.poses[i]);
+      if (of.truth.visible[i]) body.visible.push_back(frame);
+    }
+    std::sort(body.truth.begin(), body.truth.end());
+    std::sort(body.visible.begin(), body.visible.end());
     body.estimated = Positions(of.estimated, "estimated", body);
     body.predicted = Positions(of.predicted, "predicted", body);
     return body;
@@ -83,36 +63,20 @@ class TruthReader {
     ThrowError(StrCat(where_, ", bodies, ", list, ", field ", field), StrCat(values, " values"),
                StrCat(frames, ", one per frame"));
   }
-  void AddTruth(const TruthPoses& truth, BodyDetail& body) const {
-    CheckLike(truth.frames.size(), truth.poses.size(), "truth", "poses");
-    CheckLike(truth.frames.size(), truth.visible.size(), "truth", "visible");
-    for (std::size_t i = 0; i < truth.frames.size(); ++i) {
-      const int frame = Frame(truth.frames[i], "truth");
-      body.truth.emplace_back(frame, truth.poses[i]);
-      if (truth.visible[i]) body.visible.push_back(frame);
-    }
-    std::sort(body.truth.begin(), body.truth.end());
-    std::sort(body.visible.begin(), body.visible.end());
-  }
   std::vector<BodyPosition> Positions(const FramePositions& positions, const char* list,
                                       const BodyDetail& body) const {
     CheckLike(positions.frames.size(), positions.positions_m.size(), list, "positions_m");
     std::vector<BodyPosition> found;
     for (std::size_t i = 0; i < positions.frames.size(); ++i) {
-      BodyPosition position;
-      position.frame = Frame(positions.frames[i], list);
-      position.position_m = positions.positions_m[i];
-      const auto truth = std::find_if(body.truth.begin(), body.truth.end(), [&](const auto& known) {
-        return known.first == position.frame;
-      });
-      if (truth == body.truth.end()) {
+      const int frame = Frame(positions.frames[i], list);
+      const auto* truth = FindBy(body.truth, &std::pair<int, Pose>::first, frame);
+      if (truth == nullptr) {
         ThrowError(StrCat(where_, ", bodies, ", list, ", frames"), StrCat(positions.frames[i]),
                    "a frame in which it has truth");
       }
-      position.error_m = std::hypot(position.position_m[0] - truth->second[0],
-                                    position.position_m[1] - truth->second[1],
-                                    position.position_m[2] - truth->second[2]);
-      found.push_back(position);
+      const Position& at = positions.positions_m[i];
+      const Pose& pose = truth->second;
+      found.push_back({frame, at, std::hypot(at[0] - pose[0], at[1] - pose[1], at[2] - pose[2])});
     }
     std::sort(found.begin(), found.end(),
               [](const auto& a, const auto& b) { return a.frame < b.frame; });
@@ -122,6 +86,39 @@ class TruthReader {
   const std::vector<CameraFrame>& frames_;
   std::string where_;
 };
+
+void ReadTruth(const fs::path& file, RunDetail& detail) {
+  const auto data = ReadRecord<TruthData>(file);
+  const BodyReader reader(detail.camera, file.string());
+  std::vector<BodyDetail> bodies;
+  for (const TruthOfBody& body : data.bodies) bodies.push_back(reader.Body(body));
+  if (!data.camera.empty() && data.camera.size() != detail.camera.size()) {
+    ThrowError(file.string() + ", field camera", StrCat(data.camera.size(), " poses"),
+               StrCat(detail.camera.size(), ", one per frame of result.json"));
+  }
+  for (std::size_t i = 0; i < data.camera.size(); ++i) detail.camera[i].truth = data.camera[i];
+  detail.bodies = std::move(bodies);
+}
+
+void ReadTiming(const fs::path& file, RunDetail& detail) {
+  detail.timing = ReadRecord<TimingData>(file);
+  detail.timing.frames = Json::array();
+}
+
+// Returns the cluster with most landmarks; -1 if none has enough. On a tie, the last one wins, else
+// the lower id.
+std::int64_t BestCluster(const std::map<std::int64_t, int>& landmarks, std::int64_t last) {
+  constexpr int kMinObservedLandmarks = 3;
+  std::int64_t best = -1;
+  int most = kMinObservedLandmarks - 1;
+  for (const auto& [cluster, count] : landmarks) {
+    if (count > most || (count == most && best != -1 && cluster == last)) {
+      best = cluster;
+      most = count;
+    }
+  }
+  return best;
+}
 
 class ClusterTable {
  public:
@@ -180,20 +177,6 @@ class ClusterTable {
 
 }  // namespace
 
-RunTruth ReadTruthFile(const fs::path& file, const std::vector<CameraFrame>& frames) {
-  const auto data = ReadRecord<TruthData>(file);
-  RunTruth truth;
-  truth.camera = data.camera;
-  if (truth.camera.empty()) truth.camera.resize(frames.size());  // only bodies have truth
-  if (truth.camera.size() != frames.size()) {
-    ThrowError(file.string() + ", field camera", StrCat(truth.camera.size(), " poses"),
-               StrCat(frames.size(), ", one per frame of result.json"));
-  }
-  const TruthReader reader(frames, file.string());
-  for (const TruthOfBody& body : data.bodies) truth.bodies.push_back(reader.Body(body));
-  return truth;
-}
-
 std::vector<ClusterRow> ReadClusterTable(const fs::path& file) {
   const ClusterTable table(file);
   std::vector<ClusterRow> rows;
@@ -221,6 +204,27 @@ LandmarksByFrame ReadLandmarks(const fs::path& file, LandmarkLabel label) {
     landmarks[csv.Integer(i, frame)].push_back(row);
   }
   return landmarks;
+}
+
+std::vector<IdentitySwitch> IdentitySwitches(const LandmarksByFrame& landmarks,
+                                             const std::vector<BodyDetail>& bodies) {
+  std::vector<IdentitySwitch> switches;
+  for (const BodyDetail& body : bodies) {
+    std::int64_t last = -1;
+    for (const int frame : body.visible) {
+      const auto seen = landmarks.find(frame);
+      if (seen == landmarks.end()) continue;
+      std::map<std::int64_t, int> counts;  // by cluster
+      for (const LandmarkRow& landmark : seen->second) {
+        if (landmark.truth_body == body.id && landmark.label > 0) ++counts[landmark.label];
+      }
+      const std::int64_t best = BestCluster(counts, last);
+      if (best == -1) continue;
+      if (last != -1 && best != last) switches.push_back({frame, body.id, last, best});
+      last = best;
+    }
+  }
+  return switches;
 }
 
 RunDetail ReadRunDetail(const fs::path& run_folder) {

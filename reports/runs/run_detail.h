@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/record/calibration_state.h"
-#include "core/record/timing.h"
+#include "core/record/run_summary.h"
 #include "core/record/truth.h"
 
 namespace cvo::reports {
@@ -20,9 +19,6 @@ struct CameraFrame {
   std::int64_t timestamp_ns = 0;
   std::string status;  // "first", "tracked", "recovered", "lost", "skipped"
   Pose world_from_camera{};
-  int window_frames = 0;  // in the temporal and spatial tracks, including this one
-  // Ages of the frames of the spatial track, in frames before this one; oldest first.
-  std::vector<int> spatial_ages = {};
   std::optional<CalibrationState> calibration = {};  // empty: not estimated
   std::optional<Pose> truth = {};                    // from truth.json
 
@@ -32,8 +28,6 @@ struct CameraFrame {
     archive.Field("timestamp_ns", self.timestamp_ns);
     archive.Field("status", self.status);
     archive.Field("refined", self.world_from_camera);
-    archive.Optional("window_frames", self.window_frames);
-    archive.Optional("spatial_ages", self.spatial_ages);
     archive.Optional("calibration", self.calibration);
   }
 };
@@ -76,25 +70,12 @@ struct BodyPosition {
   double error_m = 0.0;  // as object ATE defines it
 };
 
-// A body of the truth, with the estimates that are compared with it.
-struct BodyDetail {
-  int id = 0;
-  std::string name;
-  std::string category;
-  bool mover = false;
-  double diagonal_m = 0.0;                  // of its box
-  std::int64_t cluster = -1;                // cluster whose poses are scored; -1: none
+// A body of the truth, with the estimates that are compared with it. All frames are ascending.
+struct BodyDetail : JudgedBody {
   std::vector<std::pair<int, Pose>> truth;  // by frame
   std::vector<int> visible;                 // frames in which it is judged
   std::vector<BodyPosition> estimated;      // in visible frames, where the estimate counts
   std::vector<BodyPosition> predicted;
-};
-
-struct StageTime {
-  std::string stage;
-  double median_ms = 0.0;
-  double mean_ms = 0.0;
-  double p95_ms = 0.0;
 };
 
 // Per-frame data from a run's folder. Everything is in one world frame, that of the first left
@@ -103,12 +84,7 @@ struct RunDetail {
   std::vector<CameraFrame> camera;
   std::vector<ClusterRow> clusters;  // by frame, then id
   std::vector<BodyDetail> bodies;    // empty if bodies have no truth
-  std::vector<StageTime> stages;
-  double frames_per_second = 0.0;  // 0: unknown
-  std::string host;
-  std::string cpu;
-  std::string date;                  // of the run, UTC
-  RunPaths paths;                    // of its input and output
+  TimingData timing;                 // without its frames
   std::vector<std::string> missing;  // files that do not exist or cannot be read, and why
 };
 
@@ -116,17 +92,22 @@ struct RunDetail {
 // result.json; any other missing or damaged file is listed and its data left empty.
 RunDetail ReadRunDetail(const std::filesystem::path& run_folder);
 
-// The content of truth.json, for the frames that result.json lists. Frames in the file are indices
-// into these.
-struct RunTruth {
-  std::vector<std::optional<Pose>> camera;  // one per frame
-  std::vector<BodyDetail> bodies;
-};
-
 // Read single files of a run. Each throws Error naming the file, and the field or line, if the file
 // is damaged.
-RunTruth ReadTruthFile(const std::filesystem::path& file, const std::vector<CameraFrame>& frames);
 std::vector<ClusterRow> ReadClusterTable(const std::filesystem::path& file);
 LandmarksByFrame ReadLandmarks(const std::filesystem::path& file, LandmarkLabel label);
+
+// A frame in which a body's landmarks belong to another cluster than the last time they belonged to
+// one.
+struct IdentitySwitch {
+  int frame = 0;
+  int body = 0;
+  std::int64_t from = 0;  // ids of clusters
+  std::int64_t to = 0;
+};
+
+// The switches as the metric object_id_switches counts them, over visible frames.
+std::vector<IdentitySwitch> IdentitySwitches(const LandmarksByFrame& landmarks,
+                                             const std::vector<BodyDetail>& bodies);
 
 }  // namespace cvo::reports

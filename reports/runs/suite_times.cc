@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
+#include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "core/record/timing.h"
 #include "reports/runs/run_detail.h"
 
 namespace cvo::reports {
@@ -20,66 +19,59 @@ namespace fs = std::filesystem;
 
 // A column of the table, in processing order, with the stages that it sums.
 struct StageColumn {
-  std::string_view name;
-  std::vector<std::string_view> stages;
+  const char* name;
+  std::vector<std::string> stages;
 };
-const std::vector<StageColumn>& Columns() {
-  static const std::vector<StageColumn> columns = {{"decode", {"decode"}},
-                                                   {"features", {"extract", "match_stereo"}},
-                                                   {"track", {"track"}},
-                                                   {"associate", {"associate"}},
-                                                   {"label", {"label"}},
-                                                   {"windows", {"window"}},
-                                                   {"camera solve", {"optimize"}},
-                                                   {"trace back", {"trace"}},
-                                                   {"cluster solves", {"optimize_clusters"}}};
-  return columns;
-}
+const std::vector<StageColumn> kColumns = {{"decode", {"decode"}},
+                                           {"features", {"extract", "match_stereo"}},
+                                           {"track", {"track"}},
+                                           {"associate", {"associate"}},
+                                           {"label", {"label"}},
+                                           {"windows", {"window"}},
+                                           {"camera solve", {"optimize"}},
+                                           {"trace back", {"trace"}},
+                                           {"cluster solves", {"optimize_clusters"}}};
 
-constexpr std::array<std::string_view, 4> kOwnKeys = {"sequence", "family", "detections",
-                                                      "variant"};
+constexpr std::array kOwnKeys = {"sequence", "family", "detections", "variant"};
 
 struct TimedRuns {
   std::vector<std::string> keys;
-  std::vector<double> clusters;
-  std::vector<double> frames_per_s;
-  std::vector<std::vector<double>> stages_ms;  // [column][run]
+  std::vector<double> clusters = {};  // tracked per frame
+  std::vector<double> frames_per_s = {};
+  std::vector<std::vector<double>> stages_ms = {};  // [column][run], mean over frames
 };
 
-std::vector<std::string> KeysOf(const PlannedRun& run, const std::vector<std::string>& options) {
-  std::vector<std::string> keys = {run.family.empty() ? KeyOf(run, "sequence") : run.family,
-                                   KeyOf(run, "detections"), KeyOf(run, "variant")};
-  for (const std::string& option : options) keys.push_back(KeyOf(run, option));
-  return keys;
-}
-
-double ClustersPerFrame(const fs::path& run_folder) {
-  const RunDetail detail = ReadRunDetail(run_folder);
+double ClustersPerFrame(const RunDetail& detail) {
   const auto tracked = std::count_if(detail.clusters.begin(), detail.clusters.end(),
                                      [](const ClusterRow& cluster) { return !cluster.predicted; });
   return static_cast<double>(tracked) /
          static_cast<double>(std::max<std::size_t>(detail.camera.size(), 1));
 }
 
+// A stage that the run lacks takes no time.
 void AddRun(const fs::path& run_folder, const TimingData& timing, TimedRuns& runs) {
-  runs.clusters.push_back(ClustersPerFrame(run_folder));
+  runs.clusters.push_back(ClustersPerFrame(ReadRunDetail(run_folder)));
   runs.frames_per_s.push_back(timing.frames_per_second);
-  runs.stages_ms.resize(Columns().size());
-  for (std::size_t i = 0; i < Columns().size(); ++i) {
+  runs.stages_ms.resize(kColumns.size());
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
     double sum_ms = 0.0;
-    for (const std::string_view stage : Columns()[i].stages) {
-      const auto found = timing.stages.find(std::string(stage));
+    for (const std::string& stage : kColumns[i].stages) {
+      const auto found = timing.stages.find(stage);
       if (found != timing.stages.end()) sum_ms += found->second.mean_ms;
     }
     runs.stages_ms[i].push_back(sum_ms);
   }
 }
 
-TimesRow RowOf(const TimedRuns& runs) {
-  TimesRow row{
-      runs.keys, runs.frames_per_s.size(), Median(runs.clusters), Median(runs.frames_per_s), {}};
-  for (const std::vector<double>& samples : runs.stages_ms)
-    row.stages_ms.push_back(Median(samples));
+// `first`: the row that the time is relative to.
+std::vector<std::string> RowOf(const TimedRuns& runs, const TimedRuns& first) {
+  std::vector<std::string> row = runs.keys;
+  const double frames_per_s = Median(runs.frames_per_s);
+  row.insert(row.end(), {StrCat(runs.frames_per_s.size()), FormatFixed(Median(runs.clusters), 1),
+                         FormatFixed(frames_per_s, 1)});
+  for (const auto& stage_ms : runs.stages_ms) row.push_back(FormatFixed(Median(stage_ms), 2));
+  row.push_back(frames_per_s > 0.0 ? FormatFixed(Median(first.frames_per_s) / frames_per_s, 2)
+                                   : "");
   return row;
 }
 
@@ -87,48 +79,38 @@ TimesRow RowOf(const TimedRuns& runs) {
 
 SuiteTimes ReadSuiteTimes(const fs::path& folder) {
   const SuitePlan plan = ReadPlan(folder / "plan.json");
-  SuiteTimes times;
-  times.keys = {"scenes", "detections", "variant"};
   std::vector<std::string> options;
   for (const std::string& key : plan.rows) {
     if (std::find(kOwnKeys.begin(), kOwnKeys.end(), key) == kOwnKeys.end()) options.push_back(key);
   }
-  times.keys.insert(times.keys.end(), options.begin(), options.end());
-  for (const StageColumn& column : Columns()) times.stages.emplace_back(column.name);
+  SuiteTimes times;
   std::vector<TimedRuns> groups;
   for (const PlannedRun& run : plan.runs) {
     const fs::path run_folder = folder / "jobs" / run.job;
-    if (run.job.empty() || run.system || !fs::exists(run_folder / "timing.json")) continue;
+    if (run.job.empty() || !run.system.empty() || !fs::exists(run_folder / "timing.json")) continue;
     const auto timing = ReadRecord<TimingData>(run_folder / "timing.json");
     AddOnce(StrCat(timing.cpu, ", ", Counted(static_cast<std::size_t>(timing.threads), "thread")),
             times.machines);
-    AddRun(run_folder, timing,
-           FindOrAdd(groups, &TimedRuns::keys, {KeysOf(run, options), {}, {}, {}}));
+    std::vector<std::string> keys = {run.family.empty() ? KeyOf(run, "sequence") : run.family,
+                                     KeyOf(run, "detections"), KeyOf(run, "variant")};
+    for (const std::string& option : options) keys.push_back(KeyOf(run, option));
+    AddRun(run_folder, timing, FindOrAdd(groups, &TimedRuns::keys, {keys}));
   }
   if (groups.empty()) ThrowError(folder.string(), "no run that is done", "at least one");
-  for (const TimedRuns& group : groups) times.rows.push_back(RowOf(group));
-  return times;
-}
-
-std::vector<std::vector<std::string>> TimesTable(const SuiteTimes& times) {
-  std::vector<std::string> header = times.keys;
+  std::vector<std::string> header = {"scenes", "detections", "variant"};
+  header.insert(header.end(), options.begin(), options.end());
   header.insert(header.end(), {"runs", "clusters per frame", "frames/s"});
-  for (const std::string& stage : times.stages) header.push_back(stage + " [ms]");
+  for (const StageColumn& column : kColumns) header.push_back(StrCat(column.name, " [ms]"));
   header.emplace_back("time relative to the variant's first row on the same scene");
-  std::vector<std::vector<std::string>> table = {header};
-  for (const TimesRow& row : times.rows) {
-    const auto first =
-        std::find_if(times.rows.begin(), times.rows.end(), [&](const TimesRow& other) {
-          return other.keys[0] == row.keys[0] && other.keys[2] == row.keys[2];
-        });
-    std::vector<std::string>& cells = table.emplace_back(row.keys);
-    cells.insert(cells.end(), {StrCat(row.runs), FormatFixed(row.clusters, 1),
-                               FormatFixed(row.frames_per_s, 1)});
-    for (const double stage_ms : row.stages_ms) cells.push_back(FormatFixed(stage_ms, 2));
-    cells.push_back(row.frames_per_s > 0.0 ? FormatFixed(first->frames_per_s / row.frames_per_s, 2)
-                                           : "");
+  times.table = {header};
+  const auto scene_and_variant = [](const TimedRuns& runs) {
+    return std::pair(runs.keys[0], runs.keys[2]);
+  };
+  for (const TimedRuns& group : groups) {
+    times.table.push_back(
+        RowOf(group, *FindBy(groups, scene_and_variant, scene_and_variant(group))));
   }
-  return table;
+  return times;
 }
 
 }  // namespace cvo::reports

@@ -3,6 +3,7 @@
 #include "reports/tables/cells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -11,13 +12,27 @@
 #include "core/files/text/number.h"
 #include "core/record/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
-#include "reports/statistics/position_errors.h"
 
 namespace cvo::reports {
 namespace {
 
 const FrameErrors& ErrorsOf(const BodyMetric& metric, const BodyRow& body) {
   return metric.predicted() ? body.predicted : body.errors;
+}
+
+// Over the frames that both have.
+std::optional<std::pair<Part, Part>> CommonRootMeanSquares(const FrameErrors& a,
+                                                           const FrameErrors& b) {
+  double sum_a = 0.0;
+  double sum_b = 0.0;
+  int n = 0;
+  ForCommonFrames(a.frames, 0, b.frames, 0, [&](std::size_t i, std::size_t j) {
+    sum_a += a.position_m[i] * a.position_m[i];
+    sum_b += b.position_m[j] * b.position_m[j];
+    ++n;
+  });
+  if (n == 0) return std::nullopt;
+  return std::pair{Part{std::sqrt(sum_a / n)}, Part{std::sqrt(sum_b / n)}};
 }
 
 std::optional<Part> FractionOf(const BodyMetric& metric, const BodyRow& body) {
@@ -196,9 +211,7 @@ std::optional<std::pair<Part, Part>> PairOf(const BodyMetric& metric, const Body
                                             const BodyRow& reference) {
   if (body.mover != metric.movers() || reference.mover != metric.movers()) return std::nullopt;
   if (metric.by_frames()) {
-    const auto errors = CommonRootMeanSquares(ErrorsOf(metric, body), ErrorsOf(metric, reference));
-    if (!errors) return std::nullopt;
-    return std::pair{Part{errors->first}, Part{errors->second}};
+    return CommonRootMeanSquares(ErrorsOf(metric, body), ErrorsOf(metric, reference));
   }
   const auto ours = PartOf(metric, body);
   const auto theirs = PartOf(metric, reference);

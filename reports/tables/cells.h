@@ -16,6 +16,20 @@
 
 namespace cvo::reports {
 
+// Calls `act` with the indices of each frame that both ascending lists have. `shift` and
+// `other_shift` convert their frames to a common numbering.
+template <typename Act>
+void ForCommonFrames(const std::vector<int>& frames, int shift, const std::vector<int>& others,
+                     int other_shift, const Act& act) {
+  for (std::size_t i = 0, k = 0; i < frames.size() && k < others.size();) {
+    const int frame = frames[i] + shift;
+    const int other = others[k] + other_shift;
+    if (frame == other) act(i, k);
+    if (frame <= other) ++i;
+    if (other <= frame) ++k;
+  }
+}
+
 // The jobs that belong to one row.
 struct RowRuns {
   std::vector<std::string> keys;  // values of the keys of the table

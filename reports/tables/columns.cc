@@ -67,7 +67,7 @@ std::optional<Column> MakeColumn(const std::string& name, const std::vector<Suit
   std::vector<Meaning> kinds;  // the first run, then the first of each other type of dataset
   for (const SuiteRun& run : runs) {
     const MetricValue* metric = run.run ? FindMetric(*run.run, name) : nullptr;
-    if (metric == nullptr || run.planned.system != systems) continue;
+    if (metric == nullptr || run.planned.system.empty() == systems) continue;
     const Meaning meaning{&*run.run, metric, SharedContract(*run.run, *metric)};
     if (!kinds.empty()) CheckSame(kinds[0], meaning);
     const auto same_type = std::find_if(kinds.begin(), kinds.end(), [&](const Meaning& kind) {
@@ -101,8 +101,8 @@ std::vector<RowRuns> GroupRuns(const std::vector<SuiteRun>& runs,
 
 std::string SceneOf(const SuiteRun& run) {
   const SequenceInfo& sequence = run.run->sequence;
-  return StrCat(KeyOf(run.planned, "sequence"), " ", sequence.pair, " ", sequence.first_frame, ":",
-                sequence.first_frame + sequence.frames);
+  return StrCat(KeyOf(run.planned, "sequence"), " ", sequence.pair, " ",
+                FrameRange(sequence.first_frame, sequence.frames));
 }
 
 std::string RepetitionOf(const SuiteRun& run, const std::vector<std::string>& keys) {
@@ -213,7 +213,7 @@ bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& c
   for (const RowRuns* runs : {&row, &reference}) {
     for (const SuiteRun* run : runs->runs) {
       if (run->run) shifts_px.insert(run->run->sequence.camera.right_shift_px);
-      systems = systems || run->planned.system;
+      systems = systems || !run->planned.system.empty();
     }
   }
   return DifferingMeaning(row, column).empty() && DifferingMeaning(reference, column).empty() &&

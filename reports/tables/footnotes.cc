@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/record/contract_text.h"
+#include "core/record/contract.h"
 #include "core/record/metric_catalogue.h"
 #include "reports/statistics/estimate.h"
 #include "reports/tables/table_texts.h"
@@ -41,18 +42,6 @@ class NamesByText {
   using Named = std::pair<std::string, Lines>;
   std::vector<Named> names_;
 };
-
-void AddJobs(const Table& table, Lines& lines) {
-  const JobCounts& jobs = table.jobs;
-  std::string line = StrCat(jobs.done, " of ", jobs.planned, " runs");
-  for (const auto& [count, what] : {std::pair{jobs.lost, "of them lost"},
-                                    {jobs.failed, "failed"},
-                                    {jobs.not_run, "not run yet"},
-                                    {jobs.no_data, "without their sequence"}}) {
-    if (count > 0) line += StrCat(", ", count, " ", what);
-  }
-  lines.push_back(line);
-}
 
 // A sequence that is missing is listed once, not once per variant and seed.
 void AddProblems(const Table& table, Lines& lines) {
@@ -92,14 +81,6 @@ void AddSplits(const Table& table, Lines& lines) {
   }
 }
 
-// Calls `visit` with the row, column index and cell of each cell.
-template <typename Visit>
-void ForEachCell(const Table& table, const Visit& visit) {
-  for (const Row& row : table.rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) visit(i, row.cells[i]);
-  }
-}
-
 // Also states how many scenes are needed to detect a small difference in any row: the statistical
 // power of the table.
 void AddIntervals(const Table& table, Lines& lines) {
@@ -107,14 +88,17 @@ void AddIntervals(const Table& table, Lines& lines) {
   NamesByText pairings;
   std::size_t differences = 0;
   std::vector<std::size_t> needed(table.columns.size());
-  ForEachCell(table, [&](std::size_t column, const Cell& cell) {
-    const std::string name = ColumnName(table, column);
-    if (cell.interval) meanings.Add(cell.interval->meaning, name);
-    if (!cell.difference) return;
-    differences += cell.difference->adjusted_p_value ? 1 : 0;
-    pairings.Add("compared on " + cell.difference->pairing, name);
-    needed[column] = std::max(needed[column], cell.difference->scenes_for_10_percent.value_or(0));
-  });
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const std::string name = ColumnName(table, i);
+      const auto& [interval, difference] = std::tie(row.cells[i].interval, row.cells[i].difference);
+      if (interval) meanings.Add(interval->meaning, name);
+      if (!difference) continue;
+      differences += difference->adjusted_p_value ? 1 : 0;
+      pairings.Add("compared on " + difference->pairing, name);
+      needed[i] = std::max(needed[i], difference->scenes_for_10_percent.value_or(0));
+    }
+  }
   meanings.Print("low..high, ", lines);
   if (differences > 0) {
     lines.push_back(StrCat(
@@ -224,6 +208,17 @@ std::string SourceMark(std::size_t source) {
   return StrCat("[", static_cast<char>('a' + static_cast<int>(source % 26)), "]");
 }
 
+std::string JobsText(const JobCounts& jobs) {
+  std::string line = StrCat(jobs.done, " of ", jobs.planned, " runs");
+  for (const auto& [count, what] : {std::pair{jobs.lost, "of them lost"},
+                                    {jobs.failed, "failed"},
+                                    {jobs.not_run, "not run yet"},
+                                    {jobs.no_data, "without their sequence"}}) {
+    if (count > 0) line += StrCat(", ", count, " ", what);
+  }
+  return line;
+}
+
 std::string CountsText(const Counts& n) {
   Lines counts;
   if (n.bodies > 0) counts.push_back(Counted(n.bodies, "body", "bodies"));
@@ -234,8 +229,7 @@ std::string CountsText(const Counts& n) {
 }
 
 std::vector<std::string> Footnotes(const Table& table) {
-  Lines lines;
-  AddJobs(table, lines);
+  Lines lines = {JobsText(table.jobs)};
   AddProblems(table, lines);
   AddSplits(table, lines);
   lines.insert(lines.end(), table.notes.begin(), table.notes.end());

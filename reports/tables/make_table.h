@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "reports/tables/cells.h"
@@ -38,8 +39,12 @@ struct Reference {
 // Adds the contents of a file of reference figures. Throws Error naming `where` and the field.
 void AddReference(std::string_view json, const std::string& where, Reference& reference);
 
-// All figures that ship with the program.
+// All figures that ship with the program: what others publish, and what we measured of their
+// systems.
 Reference ShippedReference();
+
+// The files that they are read from: path in the source tree, and JSON.
+std::vector<std::pair<std::string, std::string>> ShippedReferenceFiles();
 
 // Adds what other systems reach on the sequences of the table, below our rows: first the rows with
 // a comparable figure, then the rest, with the reason in each cell that is not comparable. Figures

@@ -6,7 +6,6 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/json/json_record.h"
-#include "reports/reference/shipped.h"
 #include "reports/tables/make_table.h"
 
 namespace cvo::reports {
@@ -119,8 +118,8 @@ ReferenceCell Compare(const ReferenceFigure& figure, const ReferenceSource& sour
   const SequenceInfo& sequence = *row.sequence;
   if (figure.first_frame != sequence.first_frame || figure.frames != sequence.frames) {
     return {figure.value, Match::kOtherFrames,
-            StrCat("frames ", figure.first_frame, ":", figure.first_frame + figure.frames,
-                   ", ours ", sequence.first_frame, ":", sequence.first_frame + sequence.frames)};
+            StrCat("frames ", FrameRange(figure.first_frame, figure.frames), ", ours ",
+                   FrameRange(sequence.first_frame, sequence.frames))};
   }
   if (!source.pair.empty() && source.pair != sequence.pair) {
     return {figure.value, Match::kOtherImages, source.pair + " images, ours " + sequence.pair};
@@ -216,9 +215,7 @@ void AddReference(std::string_view json, const std::string& where, Reference& re
 
 Reference ShippedReference() {
   Reference reference;
-  for (const ReferenceFile& file : ShippedReferenceFiles()) {
-    AddReference(file.content, file.name, reference);
-  }
+  for (const auto& [name, json] : ShippedReferenceFiles()) AddReference(json, name, reference);
   return reference;
 }
 

@@ -176,6 +176,8 @@ void Table::VisitFields(Self& self, Archive& archive) {
 
 std::string RowLabel(const Row& row) { return Joined(row.keys, " "); }
 
+std::string FrameRange(int first, int count) { return StrCat(first, ":", first + count); }
+
 std::string TableJson(const Table& table) { return FileText(table); }
 
 Table ReadTable(std::string_view json, const std::string& where) {

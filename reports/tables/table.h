@@ -281,6 +281,9 @@ struct Table {
 // The values of the keys of a row, such as "indoor_1 full".
 std::string RowLabel(const Row& row);
 
+// "0:72": the frames from the first one on.
+std::string FrameRange(int first, int count);
+
 // The text of table.json. The same results give the same bytes. Throws Error naming the value if
 // one is not finite.
 std::string TableJson(const Table& table);

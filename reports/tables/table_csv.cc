@@ -7,7 +7,7 @@
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
-#include "core/record/contract_text.h"
+#include "core/record/contract.h"
 #include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
@@ -31,6 +31,7 @@ bool LooksLikeFormula(const std::string& text) {
 class Record {
  public:
   void Text(const std::string& text) { fields_.push_back(CsvField(text)); }
+  void Names(const std::string& names) { fields_.push_back(names); }  // in CSV
   void Number(double value) { fields_.push_back(FormatDouble(value)); }
   void Number(const std::optional<double>& value) { value ? Number(*value) : Blanks(1); }
   void Count(std::size_t count) { fields_.push_back(StrCat(count)); }
@@ -53,8 +54,6 @@ const ReferenceRow* TheirsOf(const Table& table, const TextLine& line) {
                   : &table.others[*line.reference];
 }
 
-std::string Frames(int first, int count) { return StrCat(first, ":", first + count); }
-
 // The fields that begin each record of a line: whose figures they are, and of which frames.
 Record HeadOf(const Table& table, const TextLine& line) {
   Record record;
@@ -65,13 +64,13 @@ Record HeadOf(const Table& table, const TextLine& line) {
   if (const ReferenceRow* theirs = TheirsOf(table, line)) {
     record.Text(theirs->system);
     record.Text(table.sources[theirs->source].source);
-    record.Text(theirs->frames > 0 ? Frames(theirs->first_frame, theirs->frames) : "");
+    record.Text(theirs->frames > 0 ? FrameRange(theirs->first_frame, theirs->frames) : "");
     record.Blanks(4);
     return record;
   }
   const Row& row = table.rows[*line.row];
   record.Blanks(2);
-  record.Text(row.sequence ? Frames(row.sequence->first_frame, row.sequence->frames) : "");
+  record.Text(row.sequence ? FrameRange(row.sequence->first_frame, row.sequence->frames) : "");
   record.Text(TruthText(row.truth));
   record.Text(row.split);
   record.Count(row.jobs.done);
@@ -79,14 +78,12 @@ Record HeadOf(const Table& table, const TextLine& line) {
   return record;
 }
 
-Record HeadNames(const Table& table) {
-  Record names;
-  for (const std::string& key : table.keys) names.Text(key);
-  for (const char* name :
-       {"system", "source", "frames", "truth", "split", "runs_done", "runs_planned"}) {
-    names.Text(name);
-  }
-  return names;
+// The header of all records, with the names of the fields that follow their heads.
+std::string HeaderLine(const Table& table, const std::string& names) {
+  Record keys;
+  for (const std::string& key : table.keys) keys.Text(key);
+  keys.Names("system,source,frames,truth,split,runs_done,runs_planned" + names);
+  return keys.Line();
 }
 
 std::string Marks(const CellText& cell) {
@@ -186,14 +183,15 @@ std::string CsvField(const std::string& text) {
 
 std::string TableCsv(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  Record header = HeadNames(table);
+  std::string names;
   for (const Column& column : table.columns) {
-    header.Text(column.unit == "1" ? column.metric : StrCat(column.metric, " [", column.unit, "]"));
+    const std::string unit = column.unit == "1" ? "" : StrCat(" [", column.unit, "]");
+    names += "," + CsvField(column.metric + unit);
     for (const char* what : {" low", " high", " n", " marks", " note"}) {
-      header.Text(column.metric + what);
+      names += "," + CsvField(column.metric + what);
     }
   }
-  std::string csv = header.Line();
+  std::string csv = HeaderLine(table, names);
   for (const TextLine& line : texts.blocks[0].lines) {
     Record record = HeadOf(table, line);
     for (std::size_t i = 0; i < table.columns.size(); ++i) AddWideCell(table, line, i, record);
@@ -204,36 +202,11 @@ std::string TableCsv(const Table& table) {
 
 std::string TableLongCsv(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  Record head = HeadNames(table);
-  for (const char* name : {"metric",
-                           "unit",
-                           "value",
-                           "low",
-                           "high",
-                           "interval",
-                           "runs",
-                           "scenes",
-                           "bodies",
-                           "seeds",
-                           "coverage",
-                           "reference",
-                           "difference",
-                           "difference_low",
-                           "difference_high",
-                           "pairs",
-                           "p_value",
-                           "adjusted_p_value",
-                           "scenes_for_10_percent",
-                           "distinguishable",
-                           "left_out",
-                           "marks",
-                           "not_comparable",
-                           "message",
-                           "comparison",
-                           "comparison_reason"}) {
-    head.Text(name);
-  }
-  std::string csv = head.Line();
+  std::string csv = HeaderLine(
+      table,
+      ",metric,unit,value,low,high,interval,runs,scenes,bodies,seeds,coverage,reference,difference,"
+      "difference_low,difference_high,pairs,p_value,adjusted_p_value,scenes_for_10_percent,"
+      "distinguishable,left_out,marks,not_comparable,message,comparison,comparison_reason");
   for (const TextLine& line : texts.blocks[0].lines) {
     const ReferenceRow* theirs = TheirsOf(table, line);
     for (std::size_t i = 0; i < table.columns.size(); ++i) {

@@ -55,8 +55,6 @@ std::string RangeText(const Interval& interval, int decimals) {
   return Fixed(interval.low, decimals) + ".." + Fixed(interval.high, decimals);
 }
 
-std::string FrameRange(int first, int count) { return StrCat(first, ":", first + count); }
-
 bool ShowsSequences(const Table& table) {
   return std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
 }

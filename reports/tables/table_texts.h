@@ -92,6 +92,9 @@ std::string SourceMark(std::size_t source);
 // "11 bodies, 4 scenes, 5 seeds, 20 runs": what a value is a mean over.
 std::string CountsText(const Counts& n);
 
+// "3 of 4 runs, 1 of them lost": how many there are, and what became of the others.
+std::string JobsText(const JobCounts& jobs);
+
 // What a reader must know about the numbers: which runs are missing, what intervals mean, what
 // values are based on and leave out, and where the numbers of others come from.
 std::vector<std::string> Footnotes(const Table& table);

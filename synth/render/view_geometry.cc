@@ -271,4 +271,26 @@ CalibrationTarget MakeCalibrationTarget(const StereoCamera& rig) {
   return target;
 }
 
+// In place of renderer.cc in a build without OSMesa. Everything else builds and works.
+#if !defined(CVO_WITH_OSMESA)
+namespace {
+
+[[noreturn]] void ThrowMissing() {
+  ThrowError("synthetic scenes", "no OSMesa in this build",
+             "libosmesa6-dev installed and -DCVO_OSMESA=ON when configuring");
+}
+
+}  // namespace
+
+struct Renderer::State {};
+
+Renderer::Renderer(const World&, int) { ThrowMissing(); }
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Rendering Renderer::Draw(const View&) { ThrowMissing(); }
+void Renderer::DrawImages(const View&, cv::Mat&, cv::Mat&) { ThrowMissing(); }
+RendererVersion FindRendererVersion() { ThrowMissing(); }
+#endif
+
 }  // namespace cvo::synth

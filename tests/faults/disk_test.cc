@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Faults of the system calls in core/files/disk.h, while a suite runs: a call fails, transfers half
-// of its bytes, or the process is killed. The same command must then give the same bytes.
+// Faults of the system calls in core/files/atomic_file.h, while a suite runs: a call fails,
+// transfers half of its bytes, or the process is killed. The same command must then give the same
+// bytes.
 #include <map>
 
 #include "tests/faults/fault_folder.h"

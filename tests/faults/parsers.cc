@@ -12,19 +12,18 @@
 #include "core/interface/options.h"
 #include "core/record/metric_catalogue.h"
 #include "core/record/run_summary.h"
-#include "core/record/timing.h"
 #include "core/record/truth.h"
-#include "experiments/cache/front_end_cache.h"
-#include "experiments/calibration/kitti_calibration.h"
-#include "experiments/calibration/rig_file.h"
+#include "experiments/datasets/calibration/kitti_calibration.h"
+#include "experiments/datasets/calibration/rig_file.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/image_format.h"
 #include "experiments/datasets/formats/object_boxes.h"
 #include "experiments/datasets/formats/scene_truth.h"
 #include "experiments/datasets/sequence_parts.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/runner/front_end_cache.h"
+#include "experiments/suite/build_plan.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan/build_plan.h"
 #include "experiments/suite/suite.h"
 #include "reports/gate/baseline.h"
 #include "reports/runs/run_detail.h"
@@ -47,7 +46,7 @@ std::string Source(const std::string& name) {
 }
 
 std::string Golden(const std::string& name) {
-  return Source("tests/core/record/golden/" + name + ".json");
+  return Source("tests/reports/results/golden/" + name + ".json");
 }
 
 std::string DefaultOptions() {

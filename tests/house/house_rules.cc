@@ -39,11 +39,12 @@ struct TextRule {
 const std::vector<TextRule>& TextRules() {
   static const std::regex estimator(R"((core|variants)/.*\.(h|cc))");
   static const std::regex library(
-      R"((core|variants|synth|reports|experiments/(datasets|metrics|record|runner|scene_check))/.*\.(h|cc))");
+      R"((core|variants|synth|reports|experiments/(datasets|metrics|runner|scene_check))/.*\.(h|cc))");
   static const std::regex any(".*");
-  // Only cpu_level.* asks for the architecture. A kernel for it, chosen at run time, asks for
-  // CVO_WITH_AVX2 instead.
-  static const std::regex portable(R"((core|variants)/(?!features/cpu_level\.).*\.(h|cc))");
+  // json_record.h lists fields by macros, and only cpu_level.* asks for the architecture. A kernel
+  // for it, chosen at run time, asks for CVO_WITH_AVX2 instead.
+  static const std::regex portable(
+      R"((core|variants)/(?!features/cpu_level\.|files/json/json_record\.).*\.(h|cc))");
   static const std::regex step(
       R"(core/(clusters|bodies|labelling|odometry)/(?!visual_odometry\.h).*\.(h|cc))");
   static const std::vector<TextRule> rules = {

@@ -66,50 +66,38 @@ std::vector<Part> MakeParts() {
     parts.push_back({folder, {"core/base/", "core/files/"}, {"opencv2/.*", "Eigen/.*"}});
   }
   parts.push_back({"core/files/images/", {"core/base/", "core/files/"}, {"Eigen/.*"}});
+  parts.push_back({"core/record/",
+                   {"core/base/", "core/geometry/", "core/files/", "core/record/"},
+                   {"opencv2/.*"}});
   for (const Part& part : SynthParts()) parts.push_back(part);
-  parts.push_back({"experiments/calibration/", {"core/", "experiments/calibration/"}, {}});
-  const std::vector<std::string> readers = {"core/", "experiments/calibration/",
-                                            "experiments/datasets/", "experiments/metrics/",
-                                            "core/record/"};
+  parts.push_back(
+      {"experiments/datasets/calibration/", {"core/", "experiments/datasets/calibration/"}, {}});
+  const std::vector<std::string> readers = {"core/", "experiments/datasets/",
+                                            "experiments/metrics/"};
   // Reads single files, independently of the sequence that they belong to.
-  parts.push_back({"experiments/datasets/formats/",
-                   {"core/base/", "core/geometry/", "core/files/", "experiments/datasets/formats/"},
-                   {}});
-  parts.push_back({"experiments/datasets/", readers, {}});
-  for (const char* folder : {"", "objects/", "kitti_ap/", "tracking/"}) {
-    parts.push_back({StrCat("experiments/metrics/", folder), readers, {}});
+  parts.push_back(
+      {"experiments/datasets/formats/", {"core/", "experiments/datasets/formats/"}, {}});
+  for (const char* folder : {"datasets/", "metrics/", "metrics/objects/", "metrics/boxes/",
+                             "datasets/import/", "datasets/scene_check/"}) {
+    parts.push_back({StrCat("experiments/", folder), readers, {}});
   }
-  // Reads files only, so that it cannot share a mistake with the code that wrote them.
-  parts.push_back(
-      {"experiments/scene_check/",
-       {"core/", "experiments/datasets/", "experiments/metrics/", "experiments/scene_check/"},
-       {}});
-  parts.push_back(
-      {"experiments/cache/", {"core/", "experiments/datasets/", "experiments/cache/"}, {}});
-  parts.push_back({"experiments/import/",
-                   {"core/", "experiments/calibration/", "experiments/datasets/",
-                    "experiments/cache/", "experiments/import/"},
-                   {}});
-  parts.push_back({"experiments/yolo/", {"core/", "experiments/yolo/"}, {}});
   // Results are written with the schema with which reports read them.
-  std::vector<std::string> below = {"core/", "variants/", "core/record/", "experiments/datasets/",
+  std::vector<std::string> below = {"core/", "variants/", "experiments/datasets/",
                                     "experiments/metrics/"};
-  parts.push_back({"experiments/suite/shipped/", {"experiments/suite/shipped/"}, {}});
-  for (const char* folder :
-       {"cache", "record", "runner", "suite", "suite/plan", "jobs", "jobs/slurm"}) {
+  for (const char* folder : {"runner", "suite"}) {
     const std::string part = StrCat("experiments/", folder, "/");
     below.push_back(part);
     if (folder == std::string("suite")) below.emplace_back("synth/");
-    if (folder != std::string("cache")) parts.push_back({part, below, {}});
+    parts.push_back({part, below, {}});
   }
   parts.push_back(
       {"experiments/cli/", {"core/", "variants/", "experiments/", "reports/", "synth/"}, {}});
   // Overlays draw on images; all other reports use only files of numbers and text.
   parts.push_back({"reports/overlays/",
-                   {"core/base/", "core/geometry/", "core/files/", "reports/"},
+                   {"core/base/", "core/geometry/", "core/files/", "core/record/", "reports/"},
                    {"ceres/.*"}});
   parts.push_back({"reports/",
-                   {"core/base/", "core/geometry/", "core/files/", "reports/"},
+                   {"core/base/", "core/geometry/", "core/files/", "core/record/", "reports/"},
                    {"opencv2/.*", "ceres/.*"}});
   parts.push_back({"tests/", {""}, {}});
   return parts;

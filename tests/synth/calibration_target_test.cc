@@ -136,12 +136,6 @@ class EdgeDepth : public testing::Test {
   Rendering rendering_;
 };
 
-TEST_F(EdgeDepth, LeavesDepthWithinTheBox) {
-  const cv::Mat drawn = rendering_.depth.clone();
-  CorrectEdgeDepth(rig_, bodies_, view_, rendering_);
-  EXPECT_EQ(cv::norm(drawn, rendering_.depth, cv::NORM_INF), 0.0);
-}
-
 TEST_F(EdgeDepth, TakesDepthOutsideTheBoxFromNeighbours) {
   rendering_.depth.at<float>(3, 9) = 3.1F;   // in front of the box
   rendering_.depth.at<float>(6, 11) = 5.2F;  // behind it, at a corner of the mask

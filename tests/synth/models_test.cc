@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <bit>
+#include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
@@ -17,6 +17,7 @@
 namespace cvo::synth {
 namespace {
 
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
@@ -38,12 +39,27 @@ Eigen::AlignedBox3d BoundsOf(const Model& model) {
   return box;
 }
 
+// Signed volume by the divergence theorem, with the outer side of each face as its normals say.
+double Volume(const Mesh& mesh) {
+  double volume = 0.0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vertex& a = mesh.vertices[mesh.indices[i]];
+    const Vertex& b = mesh.vertices[mesh.indices[i + 1]];
+    const Vertex& c = mesh.vertices[mesh.indices[i + 2]];
+    const Eigen::Vector3f face = (b.position - a.position).cross(c.position - a.position);
+    const float side = face.dot(a.normal + b.normal + c.normal) > 0.0f ? 1.0f : -1.0f;
+    volume += side * face.dot(a.position) / 6.0f;
+  }
+  return volume;
+}
+
 void ExpectSound(const Model& model, const std::string& what) {
   ASSERT_FALSE(model.parts.empty()) << what;
   for (const Part& part : model.parts) {
     ASSERT_FALSE(part.texture.empty()) << what;
     ASSERT_FALSE(part.mesh.indices.empty()) << what;
     ASSERT_EQ(part.mesh.indices.size() % 3, 0u) << what;
+    EXPECT_GT(Volume(part.mesh), 0.0) << what << ": normals must point outward";
     for (const std::uint32_t index : part.mesh.indices) {
       ASSERT_LT(index, part.mesh.vertices.size()) << what;
     }
@@ -55,6 +71,14 @@ void ExpectSound(const Model& model, const std::string& what) {
   const Eigen::AlignedBox3d box = BoundsOf(model);
   EXPECT_LT((box.sizes() - model.size_m).cwiseAbs().maxCoeff(), 1e-5) << what;
   EXPECT_LT(box.center().cwiseAbs().maxCoeff(), 1e-5) << what;
+}
+
+void ExpectShapesInside(const Model& model, const std::string& what) {
+  ASSERT_FALSE(model.shapes.empty()) << what;
+  for (const CollisionShape& shape : model.shapes) {
+    const Vector3d reach = shape.model_from_shape.translation().cwiseAbs() + shape.half_size_m;
+    EXPECT_LT((reach - 0.5 * model.size_m).maxCoeff(), 1e-5) << what;
+  }
 }
 
 bool SameModel(const Model& a, const Model& b) {
@@ -72,83 +96,18 @@ bool SameModel(const Model& a, const Model& b) {
   return true;
 }
 
-// Signed volume by the divergence theorem, with the outer side of each face as its normals say.
-double Volume(const Mesh& mesh) {
-  double volume = 0.0;
-  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const Vertex& a = mesh.vertices[mesh.indices[i]];
-    const Vertex& b = mesh.vertices[mesh.indices[i + 1]];
-    const Vertex& c = mesh.vertices[mesh.indices[i + 2]];
-    const Eigen::Vector3f face = (b.position - a.position).cross(c.position - a.position);
-    const float side = face.dot(a.normal + b.normal + c.normal) > 0.0f ? 1.0f : -1.0f;
-    volume += side * face.dot(a.position) / 6.0f;
-  }
-  return volume;
-}
-
-TEST(MakeModel, NormalsPointOutward) {
+TEST(MakeModel, EveryKindIsSoundInTwoSizesAndFixedPerStream) {
   for (const std::string& kind : ModelKinds()) {
-    for (const Part& part : Make(kind, 1).parts) {
-      EXPECT_FALSE(part.mesh.two_sided) << kind;
-      EXPECT_GT(Volume(part.mesh), 0.0) << kind;
-    }
-  }
-}
-
-TEST(MakeModel, EveryKindIsValidInTwoSizes) {
-  for (const std::string& kind : ModelKinds()) {
-    ExpectSound(Make(kind, 1), kind);
+    const Model usual = Make(kind, 1);
+    ExpectSound(usual, kind);
+    ExpectShapesInside(usual, kind);  // a tree of another shape has a crown beyond its box
     const Vector3d size = kind == "ball" ? Vector3d::Constant(0.9) : Vector3d(1.3, 0.8, 1.1);
     const Model model = Make(kind, 1, size);
     EXPECT_EQ(model.size_m, size) << kind;
     ExpectSound(model, kind);
+    EXPECT_TRUE(SameModel(usual, Make(kind, 1))) << kind;
+    EXPECT_FALSE(SameModel(usual, Make(kind, 2))) << kind;
   }
-}
-
-TEST(MakeModel, ModelsAreFixedPerStream) {
-  for (const std::string& kind : ModelKinds()) {
-    EXPECT_TRUE(SameModel(Make(kind, 1), Make(kind, 1))) << kind;
-    EXPECT_FALSE(SameModel(Make(kind, 1), Make(kind, 2))) << kind;
-  }
-}
-
-TEST(MakeModel, CollisionShapesLieWithinTheBox) {
-  for (const std::string& kind : ModelKinds()) {
-    const Model model = Make(kind, 1);
-    ASSERT_FALSE(model.shapes.empty()) << kind;
-    for (const CollisionShape& shape : model.shapes) {
-      const Vector3d reach = shape.model_from_shape.translation().cwiseAbs() + shape.half_size_m;
-      EXPECT_LT((reach - 0.5 * model.size_m).maxCoeff(), 1e-5) << kind;
-    }
-  }
-  EXPECT_NEAR(Make("ball", 1).shapes.at(0).radius_m, 0.3, 1e-6);
-}
-
-TEST(MakeModel, ChairsAreOpenBetweenTheirLegs) {
-  const Model chair = Make("chair", 1);
-  const Vector3d below(0.0, 0.0, -0.5 * chair.size_m.z() + 0.15);
-  for (const CollisionShape& shape : chair.shapes) {
-    const Vector3d local = shape.model_from_shape.Inverse() * below;
-    EXPECT_GT((local.cwiseAbs() - shape.half_size_m).maxCoeff(), 0.1);
-  }
-}
-
-TEST(MakeModel, NormalsOfABallPointOutward) {
-  const Model ball = Make("ball", 1);
-  for (const Vertex& vertex : ball.parts.at(0).mesh.vertices) {
-    EXPECT_GT(vertex.normal.dot(vertex.position.normalized()), 0.999f);
-  }
-}
-
-TEST(MakeModel, SidesOfABlockDiffer) {
-  const Model block = Make("block", 1);
-  ASSERT_EQ(block.parts.size(), 6u);
-  for (int i = 1; i < 6; ++i) {
-    EXPECT_GT(cv::norm(block.parts[0].texture, block.parts[i].texture, cv::NORM_INF), 0.0);
-  }
-}
-
-TEST(MakeModel, TakesAMaterial) {
   EXPECT_FALSE(SameModel(Make("tower", 1, Vector3d::Zero(), "brick"), Make("tower", 1)));
 }
 
@@ -157,35 +116,7 @@ TEST(MakeModel, RefusesBadDescriptions) {
               AllOf(HasSubstr("'dragon'"), HasSubstr("ball, block")));
   EXPECT_THAT(ErrorMessage([] { Make("ball", 1, {0.5, 0.6, 0.5}); }), HasSubstr("same diameter"));
   EXPECT_THAT(ErrorMessage([] { Make("chair", 1, Vector3d::Zero(), "cheese"); }),
-              HasSubstr("'cheese'"));
-}
-
-bool SameImage(const cv::Mat& a, const cv::Mat& b) {
-  return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0.0;
-}
-
-TEST(Textures, AreInColourWithPowerOfTwoSizes) {
-  Rng rng(0, "test");
-  for (const std::string& material : MaterialNames()) {
-    const Texture texture = MakeTexture(material, rng);
-    EXPECT_EQ(texture.image.type(), CV_8UC3) << material;
-    EXPECT_TRUE(std::has_single_bit(static_cast<unsigned>(texture.image.cols))) << material;
-    EXPECT_TRUE(std::has_single_bit(static_cast<unsigned>(texture.image.rows))) << material;
-    EXPECT_LE(std::max(texture.image.cols, texture.image.rows), 1024) << material;
-    EXPECT_GT(texture.size_m.minCoeff(), 0.0) << material;
-  }
-}
-
-TEST(Textures, AreFixedPerStream) {
-  for (const std::string& material : MaterialNames()) {
-    Rng first(3, "look");
-    Rng again(3, "look");
-    Rng other(4, "look");
-    const cv::Mat image = MakeTexture(material, first).image;
-    EXPECT_TRUE(SameImage(image, MakeTexture(material, again).image)) << material;
-    EXPECT_FALSE(SameImage(image, MakeTexture(material, other).image)) << material;
-    EXPECT_FALSE(SameImage(image, MakeTexture(material, first).image)) << material;
-  }
+              AllOf(HasSubstr("'cheese'"), HasSubstr("asphalt, ball")));
 }
 
 // The grey-level step across the border, where the texture repeats, is no larger than those inside.
@@ -193,8 +124,10 @@ TEST(Textures, AreSeamless) {
   Rng rng(1, "test");
   for (const char* material : {"asphalt", "brick", "concrete", "grass", "leaves", "pavement",
                                "plaster", "tiles", "wallpaper", "parquet"}) {
+    const Texture texture = MakeTexture(material, rng);
+    EXPECT_LE(std::max(texture.image.cols, texture.image.rows), 1024) << material;
     cv::Mat grey;
-    cv::cvtColor(MakeTexture(material, rng).image, grey, cv::COLOR_RGB2GRAY);
+    cv::cvtColor(texture.image, grey, cv::COLOR_RGB2GRAY);
     const auto step = [&](int a, int b) {
       return cv::norm(grey.col(a), grey.col(b), cv::NORM_L1) / grey.rows;
     };
@@ -228,40 +161,151 @@ double MeanDensity(const std::string& material, double pixels_per_m) {
   return sum;
 }
 
-// Moving bodies have more corners than their background, or they would not get their share of the
-// features that a front end keeps. The upper walls have almost none.
-TEST(Textures, HaveCornersAtTwoMetresIndoorsWhereTheyAreNeeded) {
-  const auto density = [](const char* material) { return MeanDensity(material, 450.0 / 2.0); };
-  for (const char* material : {"ball", "block", "fabric"}) {
-    EXPECT_GE(density(material), 10.0) << material;
+// Moving bodies have more corners than what surrounds them, and objects along a road more than the
+// road itself, or they would not get their share of the features that a front end keeps.
+TEST(Textures, HaveCornersWhereTheyAreNeeded) {
+  struct Case {
+    std::vector<const char*> materials;
+    double pixels_per_m;  // at 2 m indoors, at 15 m outdoors
+    double least;
+    double most;
+  };
+  constexpr double kIndoors = 450.0 / 2.0;
+  constexpr double kOutdoors = 721.0 / 15.0;
+  const std::vector<Case> cases = {
+      {{"ball", "block", "fabric"}, kIndoors, 10.0, 1e9},
+      {{"brick", "plaster", "poster", "tiles", "wallpaper", "wood"}, kIndoors, 5.0, 1e9},
+      {{"carpet"}, kIndoors, 1.0, 1e9},
+      {{"embossed"}, kIndoors, 0.0, 0.5},
+      {{"paint"}, kOutdoors, 20.0, 1e9},
+      {{"bark", "brick", "concrete", "grass", "leaves", "roof"}, kOutdoors, 4.0, 1e9},
+      {{"facade"}, kOutdoors, 2.0, 8.0},
+      {{"asphalt", "pavement"}, kOutdoors, 0.2, 2.0}};
+  for (const Case& wanted : cases) {
+    for (const char* material : wanted.materials) {
+      const double density = MeanDensity(material, wanted.pixels_per_m);
+      EXPECT_GE(density, wanted.least) << material;
+      EXPECT_LE(density, wanted.most) << material;
+    }
   }
-  for (const char* material : {"brick", "plaster", "poster", "tiles", "wallpaper", "wood"}) {
-    EXPECT_GE(density(material), 5.0) << material;
-  }
-  EXPECT_GE(density("carpet"), 1.0);
-  EXPECT_LE(density("embossed"), 0.5);
 }
 
-// Cars have more corners than the objects along the road, and these more than the road itself, or
-// they would not get their share of the features that a front end keeps.
-TEST(Textures, HaveCornersAtFifteenMetresOutdoorsWhereTheyAreNeeded) {
-  const auto density = [](const char* material) { return MeanDensity(material, 721.0 / 15.0); };
-  EXPECT_GE(density("paint"), 20.0);
-  for (const char* material : {"bark", "brick", "concrete", "grass", "leaves", "roof"}) {
-    EXPECT_GE(density(material), 4.0) << material;
+Surroundings Room(std::uint64_t seed, const RoomDescription& room = {}) {
+  Rng rng(seed, "look");
+  return MakeRoom(room, rng);
+}
+
+Eigen::AlignedBox3d BoundsOf(const PlacedModel& placed) {
+  Eigen::AlignedBox3d box;
+  for (const Part& part : placed.model.parts) {
+    for (const Vertex& vertex : part.mesh.vertices) {
+      box.extend(placed.world_from_model * Vector3d(vertex.position.cast<double>()));
+    }
   }
-  EXPECT_GE(density("facade"), 2.0);
-  EXPECT_LE(density("facade"), 8.0);
-  for (const char* material : {"asphalt", "pavement"}) {
-    EXPECT_GE(density(material), 0.2) << material;
-    EXPECT_LE(density(material), 2.0) << material;
+  return box;
+}
+
+TEST(MakeRoom, FurnitureStandsAlongTheWallsWithoutOverlap) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    const RoomDescription room;
+    const Surroundings made = Room(seed);
+    ASSERT_EQ(made.placed.size(), 10u);
+    ASSERT_EQ(made.walls.size(), 6u);
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const PlacedModel& placed : made.placed) boxes.push_back(BoundsOf(placed));
+    const Vector2d free = 0.5 * room.size_m.head<2>() - Vector2d::Constant(room.furniture_depth_m);
+    const Eigen::AlignedBox3d middle(Vector3d(-free.x(), -free.y(), 0.0),
+                                     Vector3d(free.x(), free.y(), room.size_m.z()));
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      EXPECT_NEAR(boxes[i].min().z(), 0.0, 1e-5);
+      EXPECT_TRUE(middle.intersection(boxes[i]).isEmpty());
+      for (const Eigen::Vector4d& wall : made.walls) {
+        for (const Vector3d& corner : {boxes[i].min(), boxes[i].max()}) {
+          EXPECT_GT(wall.head<3>().dot(corner) + wall.w(), -1e-5);
+        }
+      }
+      for (std::size_t k = 0; k < i; ++k) {
+        EXPECT_TRUE(boxes[i].intersection(boxes[k]).isEmpty());
+      }
+    }
   }
 }
 
-TEST(Textures, RefuseUnknownMaterials) {
-  Rng rng(0, "test");
-  EXPECT_THAT(ErrorMessage([&] { MakeTexture("cheese", rng); }),
-              AllOf(HasSubstr("'cheese'"), HasSubstr("asphalt, ball")));
+TEST(MakeRoom, ShellNormalsPointIntoTheRoom) {
+  const Surroundings room = Room(2);
+  int walls = 0;
+  for (const Part& part : room.shell) {
+    const std::vector<Vertex>& vertices = part.mesh.vertices;
+    const bool flat = std::all_of(vertices.begin(), vertices.end(), [&](const Vertex& vertex) {
+      return vertex.normal == vertices[0].normal;
+    });
+    if (!flat) continue;
+    ++walls;
+    const Eigen::Vector3f inward = Eigen::Vector3f(0, 0, 1.3f) - vertices[0].position;
+    EXPECT_GT(vertices[0].normal.dot(inward), 0.0f);
+  }
+  EXPECT_GE(walls, 6);
+}
+
+StreetDescription Crossing() {
+  StreetDescription street;
+  street.roads = {{{{-60, 0}, {40, 0}, {40, 60}}, 8.0, 15.0}, {{{-20, -50}, {-20, 50}}, 7.0, 15.0}};
+  return street;
+}
+
+Surroundings Street(std::uint64_t seed, const StreetDescription& street = Crossing()) {
+  Rng rng(seed, "look");
+  return MakeStreet(street, rng);
+}
+
+TEST(MakeStreet, NothingStandsOnARoad) {
+  const StreetDescription street = Crossing();
+  const Surroundings made = Street(1);
+  EXPECT_GT(made.placed.size(), 60u);
+  for (const RoadDescription& road : street.roads) {
+    const std::vector<Vector2d> line = RoundedPolyline(road.points, road.corner_radius_m);
+    for (const PlacedModel& placed : made.placed) {
+      for (const CollisionShape& shape : placed.model.shapes) {
+        for (int corner = 0; corner < 4; ++corner) {
+          const Vector3d sign(corner % 2 == 0 ? 1 : -1, corner < 2 ? 1 : -1, -1);
+          const Vector3d at = placed.world_from_model *
+                              (shape.model_from_shape * shape.half_size_m.cwiseProduct(sign));
+          EXPECT_GT(DistanceToPolyline(line, at.head<2>()), 0.5 * road.width_m);
+        }
+      }
+    }
+  }
+}
+
+TEST(Surroundings, AreFixedPerStream) {
+  const auto places = [](const Surroundings& made) {
+    std::vector<Vector3d> all;
+    for (const PlacedModel& placed : made.placed) {
+      all.emplace_back(placed.world_from_model.translation());
+    }
+    return all;
+  };
+  EXPECT_EQ(places(Room(1)), places(Room(1)));
+  EXPECT_NE(places(Room(1)), places(Room(2)));
+  EXPECT_EQ(places(Street(1)), places(Street(1)));
+  EXPECT_NE(places(Street(1)), places(Street(2)));
+}
+
+TEST(Surroundings, RefuseBadDescriptions) {
+  RoomDescription room;
+  room.shelves = 40;
+  EXPECT_THAT(ErrorMessage([&] { Room(1, room); }),
+              HasSubstr("no place along the walls for 40 shelves"));
+  room = {};
+  room.size_m = {5.0, 0.0, 2.5};
+  EXPECT_THAT(ErrorMessage([&] { Room(1, room); }), HasSubstr("room.size_m"));
+  EXPECT_THAT(ErrorMessage([] { Street(1, {}); }), HasSubstr("street.roads"));
+  StreetDescription street = Crossing();
+  street.roads[0].points.resize(1);
+  EXPECT_THAT(ErrorMessage([&] { Street(1, street); }), HasSubstr("1 points"));
+  street = Crossing();
+  street.roads[0].corner_radius_m = 1.0;
+  EXPECT_THAT(ErrorMessage([&] { Street(1, street); }), HasSubstr("corner_radius_m"));
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <opencv2/core.hpp>
 
@@ -108,47 +107,7 @@ TEST_F(Shadow, NoSurfaceShadowsItself) {
   EXPECT_LT(cv::countNonZero(darker > 6), 12) << "of the ball's pixels";
 }
 
-TEST(Mesh, OneSidedIsNotDrawnFromBehind) {
-  World world = EmptyWorld();
-  AddBackground(world, Quad({3, -5, -5}, {0, 0, 10}, {0, 10, 0}));  // normal towards the camera
-  std::reverse(world.meshes[0].indices.begin(), world.meshes[0].indices.end());
-  const auto covered = [&] {
-    return cv::countNonZero(Renderer(world, 2).Draw(ViewOf(world)).depth);
-  };
-  EXPECT_EQ(covered(), 160 * 120);
-  world.meshes[0].two_sided = false;
-  EXPECT_EQ(covered(), 160 * 120);
-  for (Vertex& vertex : world.meshes[0].vertices) vertex.normal = -vertex.normal;
-  EXPECT_EQ(covered(), 0);
-  world.meshes[0].two_sided = true;
-  EXPECT_EQ(covered(), 160 * 120);
-}
-
-TEST(Light, ReachesBothSidesOfASurface) {
-  World world = EmptyWorld();
-  world.textures[0].setTo(cv::Scalar::all(150));
-  world.light.direction = {1.0, 0.0, 0.0};
-  AddBackground(world, Quad({3, -5, -5}, {0, 0, 10}, {0, 10, 0}));
-  const cv::Mat front = LumaOf(Renderer(world, 2).Draw(ViewOf(world)).left);
-  for (Vertex& vertex : world.meshes[0].vertices) vertex.normal = -vertex.normal;
-  const cv::Mat back = LumaOf(Renderer(world, 2).Draw(ViewOf(world)).left);
-  EXPECT_EQ(cv::norm(front, back, cv::NORM_INF), 0.0);
-  EXPECT_NEAR(cv::mean(front)[0], 150 * (0.65 + 0.62 * 5.0 / 6.0), 2.0);
-}
-
 Rendering DrawWorld(const World& world) { return Renderer(world, 2).Draw(ViewOf(world)); }
-
-TEST(Depth, OfAPlaneIsExact) {
-  World world = EmptyWorld();
-  AddBackground(world, Quad({3.7, -9, -9}, {0, 0, 18}, {0, 18, 0}));
-  const Rendering rendering = DrawWorld(world);
-  double least = 0.0;
-  double greatest = 0.0;
-  cv::minMaxLoc(rendering.depth, &least, &greatest);
-  EXPECT_NEAR(least, 3.7, 2e-6);
-  EXPECT_NEAR(greatest, 3.7, 2e-6);
-  EXPECT_EQ(cv::countNonZero(rendering.instances), 0);
-}
 
 // The worst case: two triangles that reach from behind the camera to 400 m.
 TEST(Depth, OfALongRoadIsExact) {
@@ -251,18 +210,6 @@ void ExitWithHash(int threads) {
   const World world = BallsWorld();
   const std::uint64_t hash = Fingerprint(Renderer(world, threads).Draw(ViewOf(world)));
   std::_Exit(static_cast<int>(hash % 251));
-}
-
-TEST(Determinism, SameBytesTwice) {
-  const World world = BallsWorld();
-  Renderer renderer(world, 2);
-  const Rendering first = renderer.Draw(ViewOf(world));
-  View aside = ViewOf(world);
-  aside.world_from_body[0] =
-      RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(2.0, 0.5, 0.0));
-  const Rendering other = renderer.Draw(aside);
-  EXPECT_FALSE(SameBytes(first.left, other.left));
-  ExpectSame(first, renderer.Draw(ViewOf(world)));
 }
 
 TEST(Determinism, RenderersDoNotDisturbEachOther) {

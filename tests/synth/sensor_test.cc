@@ -37,21 +37,6 @@ bool Same(const cv::Mat& a, const cv::Mat& b) { return cv::norm(a, b, cv::NORM_I
 
 constexpr double kRounding = 1.0 / 12.0;  // variance due to rounding to integers
 
-TEST(NormalQuantiles, HaveUnitVarianceAndNormalShape) {
-  const std::vector<float>& quantiles = NormalQuantiles();
-  ASSERT_EQ(quantiles.size(), 65536U);
-  double sum = 0.0, square = 0.0, fourth = 0.0;
-  for (const double q : quantiles) {
-    sum += q;
-    square += q * q;
-    fourth += q * q * q * q;
-  }
-  EXPECT_NEAR(sum, 0.0, 1e-6);
-  EXPECT_NEAR(square / 65536.0, 1.0, 1e-5);
-  EXPECT_NEAR(fourth / 65536.0, 3.0, 0.01);
-  EXPECT_NEAR(quantiles[55138], 1.0, 1e-3);  // quantile 0.84134 of 65536
-}
-
 TEST(ApplySensor, WithoutEffectsNothingChanges) {
   const cv::Mat clean = Flat(77);
   EXPECT_TRUE(HasNoEffect(AllOff()));
@@ -97,16 +82,6 @@ TEST(ApplySensor, VignettingDarkensTheCorners) {
   EXPECT_EQ(image.at<unsigned char>(240, 320), 200);
   EXPECT_GT(image.at<unsigned char>(240, 0), 160);
   EXPECT_LT(image.at<unsigned char>(240, 0), 200);
-}
-
-TEST(ApplySensor, ClampsAtBlackAndWhite) {
-  SensorOptions options = AllOff();
-  options.read_noise = 20.0;
-  double low = 0.0, high = 0.0;
-  cv::minMaxLoc(ApplySensor(Flat(250), options, 0, 0, 0), &low, &high);
-  EXPECT_EQ(high, 255.0);
-  cv::minMaxLoc(ApplySensor(Flat(3), options, 0, 0, 0), &low, &high);
-  EXPECT_EQ(low, 0.0);
 }
 
 TEST(ApplySensor, NoiseDependsOnSeedCameraAndFrame) {
@@ -263,14 +238,6 @@ TEST(Detect, SmallAndHiddenBodiesAreMissed) {
   for (const Detection& detection : stage.Run(options)) ++found[detection.body];
   EXPECT_NEAR(found[1], 300.0 / (1.0 + std::pow(14.0 / 9.0, 4)), 25.0);
   EXPECT_NEAR(found[2], 300.0 / (1.0 + std::pow(2.0, 4)), 18.0);
-}
-
-TEST(Detect, BodiesOfTooFewPixelsAreNeverDetected) {
-  Stage stage;
-  for (FrameTruth& frame : stage.frames) frame.bodies[0].visible_px = 63;
-  DetectorOptions options = DetectorLevel("oracle");
-  options.min_visible_px = 64;
-  EXPECT_EQ(stage.Run(options).size(), 300U);
 }
 
 TEST(Detect, OverlappingBoxesAreMerged) {

@@ -17,18 +17,36 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 
-// A record lists its fields once, for both writing and reading:
+// A record lists its fields once, for both writing and reading, in the order of the file:
+//   CVO_FIELDS(name, value);
+// or, if not all of them are required,
+//   CVO_RECORD(CVO_FIELD(name, value) CVO_OPTIONAL(log) CVO_ADDED(pair));
+// An optional field is not written if it has its default value, and may be null; an added one is
+// always written, but missing in older files. A record whose fields have other names than its
+// members, or that checks them, has the function that these macros write:
 //   template <typename Self, typename Archive>
 //   static void VisitFields(Self& self, Archive& archive) {
 //     archive.Field("name", self.name);
-//     archive.Optional("log", self.log);  // not written if it has its default value; may be null
-//     archive.Added("pair", self.pair);   // always written, but missing in older files
 //   }
 // A record that can be interpreted only with another one takes that one as context:
 // Field("row", row, table) calls Row::VisitFields(row, archive, table).
 // Fields are numbers, bools, strings, named enums, records, and optionals, vectors, arrays of
 // numbers and string-keyed maps of these. An enum E is written as the name of its value. Its names,
 // in the order of its enumerators: constexpr std::array<const char*, n> EnumNames(E).
+#define CVO_RECORD(...)                                   \
+  template <typename Self, typename Archive>              \
+  static void VisitFields(Self& self, Archive& archive) { \
+    __VA_ARGS__                                           \
+  }                                                       \
+  static_assert(true)
+#define CVO_FIELDS(...) CVO_RECORD(CVO_FIELD(__VA_ARGS__))
+#define CVO_FIELD(...) NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(CVO_ONE_FIELD, __VA_ARGS__))
+#define CVO_OPTIONAL(...) NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(CVO_ONE_OPTIONAL, __VA_ARGS__))
+#define CVO_ADDED(...) NLOHMANN_JSON_EXPAND(NLOHMANN_JSON_PASTE(CVO_ONE_ADDED, __VA_ARGS__))
+#define CVO_ONE_FIELD(member) archive.Field(#member, self.member);
+#define CVO_ONE_OPTIONAL(member) archive.Optional(#member, self.member);
+#define CVO_ONE_ADDED(member) archive.Added(#member, self.member);
+
 namespace cvo {
 
 namespace internal {

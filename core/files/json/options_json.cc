@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
+#include <concepts>
 #include <limits>
 #include <optional>
 
@@ -57,63 +57,51 @@ void CheckRange(const OptionLeaf& leaf, double number, const std::string& where)
   }
 }
 
-std::optional<bool> BoolFromJson(const Json& value) {
-  if (!value.is_boolean()) return std::nullopt;
-  return value.get<bool>();
-}
-
-std::optional<int> IntFromJson(const Json& value) {
-  if (!value.is_number_integer()) return std::nullopt;
-  if (value.is_number_unsigned() &&
-      value.get<std::uint64_t>() > std::uint64_t{std::numeric_limits<int>::max()}) {
-    return std::nullopt;
-  }
-  const std::int64_t number = value.get<std::int64_t>();
-  if (number < std::numeric_limits<int>::min() || number > std::numeric_limits<int>::max()) {
-    return std::nullopt;
-  }
-  return static_cast<int>(number);
-}
-
-std::optional<double> DoubleFromJson(const Json& value) {
-  if (!value.is_number()) return std::nullopt;
-  return value.get<double>();
-}
-
+// Reads a value of an option from JSON. Empty if it has another type.
 template <typename T>
-std::optional<T> NumberFromText(std::string_view text) {
-  T number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  if (!std::isfinite(static_cast<double>(number))) return std::nullopt;
-  return number;
-}
-
-std::optional<bool> BoolFromText(std::string_view text) {
-  if (text == "true") return true;
-  if (text == "false") return false;
+std::optional<T> Read(const Json& value) {
+  if constexpr (std::same_as<T, bool>) {
+    if (value.is_boolean()) return value.get<bool>();
+  } else if constexpr (std::same_as<T, int>) {
+    constexpr double kMost = std::numeric_limits<int>::max();
+    if (value.is_number_integer() && std::abs(value.get<double>()) <= kMost) {
+      return value.get<int>();
+    }
+  } else if (value.is_number()) {
+    return value.get<double>();
+  }
   return std::nullopt;
 }
 
-// Stores the value read. Throws Error if it is empty or out of range; `found` returns the text that
-// the source has.
-template <typename T, typename Found>
-void Store(const OptionLeaf& leaf, T* target, const std::optional<T>& read,
-           const std::string& where, const Found& found) {
-  if (!read) ThrowError(StrCat(where, ", option ", leaf.path), found(), Expected(leaf));
-  CheckRange(leaf, static_cast<double>(*read), where);
-  *target = *read;
+// The same from text.
+template <typename T>
+std::optional<T> Read(std::string_view text) {
+  if constexpr (std::same_as<T, bool>) {
+    if (text == "true" || text == "false") return text == "true";
+    return std::nullopt;
+  } else {
+    T number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = error == std::errc{} && end == text.data() + text.size();
+    return whole && std::isfinite(static_cast<double>(number)) ? std::optional(number)
+                                                               : std::nullopt;
+  }
 }
 
-void StoreJson(const OptionLeaf& leaf, const Json& value, const std::string& where) {
-  const auto found = [&value] { return Shown(value); };
-  if (bool* const* as_bool = std::get_if<bool*>(&leaf.value)) {
-    Store(leaf, *as_bool, BoolFromJson(value), where, found);
-  } else if (int* const* as_int = std::get_if<int*>(&leaf.value)) {
-    Store(leaf, *as_int, IntFromJson(value), where, found);
-  } else {
-    Store(leaf, std::get<double*>(leaf.value), DoubleFromJson(value), where, found);
-  }
+std::string Found(const Json& value) { return Shown(value); }
+std::string Found(std::string_view text) { return StrCat("'", text, "'"); }
+
+// Throws Error if the source has another type or is out of range.
+template <typename Source>
+void Store(const OptionLeaf& leaf, const Source& source, const std::string& where) {
+  std::visit(
+      [&]<typename T>(T* target) {
+        const std::optional<T> read = Read<T>(source);
+        if (!read) ThrowError(StrCat(where, ", option ", leaf.path), Found(source), Expected(leaf));
+        CheckRange(leaf, static_cast<double>(*read), where);
+        *target = *read;
+      },
+      leaf.value);
 }
 
 void MergeGroup(const Json& group, const std::string& prefix, const std::string& where,
@@ -124,7 +112,7 @@ void MergeGroup(const Json& group, const std::string& prefix, const std::string&
     }
     const std::string path = prefix.empty() ? key : prefix + "." + key;
     if (const OptionLeaf* leaf = FindBy(leaves, &OptionLeaf::path, path)) {
-      StoreJson(*leaf, value, where);
+      Store(*leaf, value, where);
     } else if (!IsGroup(path, leaves)) {
       ThrowUnknown(where, path, leaves);
     } else if (!value.is_object()) {
@@ -153,14 +141,7 @@ void SetOption(std::string_view assignment, const std::vector<OptionLeaf>& leave
   const std::string_view text = assignment.substr(equals + 1);
   const OptionLeaf* leaf = FindBy(leaves, &OptionLeaf::path, path);
   if (leaf == nullptr) ThrowUnknown(where, path, leaves);
-  const auto found = [text] { return StrCat("'", text, "'"); };
-  if (bool* const* as_bool = std::get_if<bool*>(&leaf->value)) {
-    Store(*leaf, *as_bool, BoolFromText(text), where, found);
-  } else if (int* const* as_int = std::get_if<int*>(&leaf->value)) {
-    Store(*leaf, *as_int, NumberFromText<int>(text), where, found);
-  } else {
-    Store(*leaf, std::get<double*>(leaf->value), NumberFromText<double>(text), where, found);
-  }
+  Store(*leaf, text, where);
 }
 
 Json OptionsToJson(const std::vector<OptionLeaf>& leaves) {

@@ -83,6 +83,8 @@ std::optional<std::int64_t> ParseInteger(std::string_view text) {
   return ParseWhole<std::int64_t>(text);
 }
 
+std::optional<int> ParseInt(std::string_view text) { return ParseWhole<int>(text); }
+
 std::optional<std::int64_t> ParseSecondsNs(std::string_view text) {
   const std::optional<Decimal> decimal = ParseDecimal(text);
   if (!decimal) return std::nullopt;

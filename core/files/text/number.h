@@ -13,6 +13,7 @@ namespace cvo {
 // and infinity are not.
 [[nodiscard]] std::optional<double> ParseDouble(std::string_view text);
 [[nodiscard]] std::optional<std::int64_t> ParseInteger(std::string_view text);
+[[nodiscard]] std::optional<int> ParseInt(std::string_view text);
 
 // Parses decimal seconds ("1305031102.175304", "1.000000e-01") to ns, without going through double.
 // Digits beyond the ninth are rounded, half away from zero. Empty if the text is not a number, or

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+// clustervo experiment compare: suites or runs with each other; clustervo check: a suite with a
+// baseline.
 #include <iostream>
 #include <memory>
 #include <set>
@@ -10,10 +12,8 @@
 #include "core/files/text/number.h"
 #include "core/record/metric_catalogue.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/reports/suite_table.h"
-#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/reports/reports.h"
+#include "reports/gate/check_runs.h"
 #include "reports/runs/run_comparison.h"
 #include "reports/tables/make_table.h"
 #include "reports/tables/table_texts.h"
@@ -211,11 +211,11 @@ Command AddExperimentCompareCommand(CLI::App& experiment) {
   CLI::App* app = experiment.add_subcommand(
       "compare",
       "Compare two suites over their common runs, or runs on one sequence by frame and by body");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<CompareFlags>();
-  app->add_option("DIR", flags->folders,
-                  "output folders of two suites, the earlier first; or of runs (of clustervo run "
-                  "or eval, or DIR/jobs/ID of a suite), the first of which is the reference")
-      ->type_name("")
+  add("DIR", flags->folders, "",
+      "output folders of two suites, the earlier first; or of runs (of clustervo run "
+      "or eval, or DIR/jobs/ID of a suite), the first of which is the reference")
       ->required()
       ->expected(-2);
   app->add_flag("--all", flags->all,
@@ -237,6 +237,85 @@ Command AddExperimentCompareCommand(CLI::App& experiment) {
       "  clustervo experiment compare results/room_static results/room_full");
   app->callback([flags] { flags->format.Check(); });
   return {app, [app, flags] { return Compare(*app, *flags); }};
+}
+
+namespace {
+
+constexpr int kRegressed = 1;
+
+struct CheckFlags {
+  std::string folder;
+  std::string baseline;
+  std::string write_baseline;
+  std::size_t gate_seeds = 0;
+  std::string junit;
+  std::string markdown;
+  bool exact = false;
+};
+
+std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
+  return {flags.baseline, std::filesystem::path(flags.folder) / "plan.json"};
+}
+
+int WriteBaseline(const CheckFlags& flags) {
+  CheckOutputFile(flags.write_baseline, ReadBy(flags));
+  const reports::Baseline baseline = reports::MakeBaseline(flags.folder, flags.gate_seeds);
+  WriteOutputFile(flags.write_baseline, reports::BaselineText(baseline), ReadBy(flags));
+  std::cout << baseline.suite << ": " << Counted(baseline.jobs.size(), "run") << " with "
+            << Counted(baseline.metrics.size(), "metric") << "; checked runs need "
+            << Counted(baseline.seeds.size(), "seed") << "\nwritten: " << flags.write_baseline
+            << '\n';
+  return 0;
+}
+
+int Check(const CheckFlags& flags) {
+  for (const std::string& file : {flags.junit, flags.markdown}) {
+    if (!file.empty()) CheckOutputFile(file, ReadBy(flags));
+  }
+  const reports::Baseline baseline = reports::ReadBaseline(flags.baseline);
+  const reports::GateReport report = reports::CheckRuns(flags.folder, baseline, flags.exact);
+  if (!flags.junit.empty()) WriteOutputFile(flags.junit, reports::GateJunit(report), ReadBy(flags));
+  if (!flags.markdown.empty())
+    WriteOutputFile(flags.markdown, reports::GateMarkdown(report), ReadBy(flags));
+  std::cout << reports::GateText(report);
+  std::cout << '\n' << reports::GateVerdict(report) << '\n';
+  return report.Failed() ? kRegressed : 0;
+}
+
+}  // namespace
+
+Command AddCheckCommand(CLI::App& program) {
+  CLI::App* app = program.add_subcommand(
+      "check", "Check the results of a suite against a baseline (regression gate)");
+  const auto flags = std::make_shared<CheckFlags>();
+  const FlagAdder add{*app};
+  add("DIR", flags->folder, "", "output folder of the suite")->required();
+  CLI::Option* check = add("--baseline", flags->baseline, "FILE", "baseline to check against");
+  CLI::Option* write = add("--write-baseline", flags->write_baseline, "FILE",
+                           "write these results as the baseline instead of checking");
+  add("--gate-seeds", flags->gate_seeds, "N",
+      "number of seeds required of checked runs; further seeds of DIR only measure the spread "
+      "between seeds; default: all")
+      ->check(Within(1, 10000))
+      ->needs(write);
+  add("--junit", flags->junit, "FILE", "also write JUnit XML")->needs(check);
+  add("--markdown", flags->markdown, "FILE", "also write a summary in Markdown")->needs(check);
+  app->add_flag("--exact", flags->exact,
+                "also fail the check if any value differs from the baseline, better or worse; not "
+                "applied if compiler, libraries or level of the processor are not the baseline's")
+      ->needs(check);
+  check->excludes(write);
+  app->footer(
+      "Runs are paired by scene and seed. A variant regresses in a metric if its mean difference "
+      "is\nworse than noise between seeds fails one check in a hundred.\nExit code 1 on a "
+      "regression, or if a job or a metric of the baseline is missing, failed or is\ndefined "
+      "differently. Times are relative to the variant static and only cause warnings.\n"
+      "Example: clustervo check results/ci --baseline reports/baselines/ci.json");
+  app->callback([flags] {
+    if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;
+    throw CLI::RequiredError("--baseline or --write-baseline");
+  });
+  return {app, [flags] { return flags->baseline.empty() ? WriteBaseline(*flags) : Check(*flags); }};
 }
 
 }  // namespace cvo

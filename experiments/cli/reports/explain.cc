@@ -13,13 +13,7 @@
 #include "core/files/text/closest_names.h"
 #include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/pictures/run_images.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/run/text_table.h"
-#include "experiments/cli/scratch_folder.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/reports/reports.h"
 #include "experiments/runner/oracle.h"
 #include "experiments/runner/run_job.h"
 #include "reports/chart/chart.h"
@@ -35,9 +29,6 @@ struct ExplainFlags {
   std::string body;
   std::string output;
   std::string sequence;
-  bool oracles = false;
-  int threads = 1;
-  bool quiet = false;
 };
 
 // Everything that is read from the run.
@@ -98,8 +89,8 @@ ExplainedRun ReadExplained(const ExplainFlags& flags) {
   // to.
   read.detected = DetectedBodies(read.sequence, read.run.classes);
   if (!read.sequence && read.run.sequence.detections > 0) {
-    std::cerr << "clustervo: note: the run's detection file was not found, so missed detections "
-                 "cannot be told\n";
+    PrintNotice(
+        "note: the run's detection file was not found, so missed detections cannot be told");
   }
   return read;
 }
@@ -132,109 +123,6 @@ void PrintBodies(const ExplainedRun& read) {
                std::string(reports::StageName(story.Cause()))});
   }
   table.Print(std::cout);
-}
-
-// Result for one body of a run that was given a part of the ground truth.
-struct OracleResult {
-  std::string oracle;  // "true boxes"
-  int judged = 0;
-  int estimated = 0;
-  int good = 0;  // error of at most reports::kGoodError_m
-  std::optional<double> ate_m;
-};
-
-Options OptionsOf(const reports::RunSummary& run, const VariantInfo& variant) {
-  Options options = variant.defaults();
-  MergeOptions(run.options, run.file.string() + ", options", OptionLeaves(options));
-  return options;
-}
-
-// The switch `name`, in addition to those that the run already had.
-OracleSwitches With(const char* name, const reports::RunSummary& run) {
-  OracleSwitches switches = ParseOracle(name);
-  for (const Json& given : run.given.value("oracle", Json::array())) {
-    const OracleSwitches more = ParseOracle(given.get<std::string>());
-    switches.boxes = switches.boxes || more.boxes;
-    switches.labels = switches.labels || more.labels;
-    switches.camera = switches.camera || more.camera;
-  }
-  return switches;
-}
-
-OracleResult ResultOf(const std::string& oracle, const reports::BodyDetail& body) {
-  OracleResult result;
-  result.oracle = oracle;
-  result.judged = static_cast<int>(body.visible.size());
-  result.estimated = static_cast<int>(body.estimated.size());
-  for (const reports::BodyPosition& position : body.estimated) {
-    result.good += position.error_m <= reports::kGoodError_m ? 1 : 0;
-  }
-  // The ATE of a single pose is zero by alignment.
-  if (body.estimated.size() > 1) {
-    result.ate_m = RootMeanSquare(body.estimated, &reports::BodyPosition::error_m);
-  }
-  return result;
-}
-
-// Repeats the run with true boxes, with true labels and with the true camera. Returns the results
-// for the body, one per repetition, or nothing if stopped. Throws Error for a run that cannot be
-// repeated.
-std::optional<std::vector<OracleResult>> TryOracles(const std::string& run_folder,
-                                                    const Sequence& sequence, int body, int threads,
-                                                    bool quiet) {
-  const reports::RunSummary run =
-      reports::ReadRun(std::filesystem::path(run_folder) / "result.json", {});
-  if (run.system) ThrowError(run_folder, "a run of another system", "one of clustervo run");
-  if (run.sequence.perturbation) {
-    ThrowError(run_folder, "a run with a perturbation", "one that --oracles can repeat, without");
-  }
-  const VariantInfo& variant = FindVariant(run.variant);
-  std::vector<OracleResult> results;
-  const StopSignal stop;
-  for (const char* name : {"boxes", "labels", "camera"}) {
-    RunRequest request = {.sequence = sequence,
-                          .variant = variant,
-                          .options = OptionsOf(run, variant),
-                          .seed = run.seed,
-                          .threads = threads,
-                          .oracle = With(name, run),
-                          .stop = [&stop] { return stop.Requested(); }};
-    if (run.given.contains("classes")) {
-      request.classes = FromJson<std::vector<std::string>>(run.given["classes"], run_folder);
-    }
-    if (!quiet) std::cerr << "clustervo: with true " << name << '\n';
-    Progress progress(sequence.images.size(), quiet);
-    request.progress = [&progress](std::size_t done) { progress.Report(done); };
-    const ScratchFolder folder;
-    const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
-    if (!outcome) return std::nullopt;
-    if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
-    const reports::RunDetail detail = reports::ReadRunDetail(folder.path());
-    const auto* judged = FindBy(detail.bodies, &reports::BodyDetail::id, body);
-    Require(judged != nullptr, "TryOracles: the body has truth");
-    results.push_back(ResultOf(StrCat("true ", name), *judged));
-  }
-  return results;
-}
-
-std::vector<std::string> OracleLines(const std::vector<OracleResult>& results) {
-  std::vector<std::string> lines;
-  const OracleResult* best = &results.front();
-  for (const OracleResult& result : results) {
-    lines.push_back(
-        StrCat(result.oracle, ": ", result.good, " of ", result.judged,
-               " frames within 10 cm, estimated in ", result.estimated,
-               result.ate_m ? StrCat(", ATE ", ReadableNumber(*result.ate_m), " m") : ""));
-    if (result.good > best->good) best = &result;
-  }
-  const int wrong = results.front().judged - results.front().good;
-  const int repaired = best->good - results.front().good;
-  if (wrong == 0) return lines;
-  lines.push_back(repaired == 0
-                      ? "none of them repairs it"
-                      : StrCat(best->oracle, best->oracle.ends_with('s') ? " help" : " helps",
-                               " most: ", repaired, " of ", wrong, " frames repaired"));
-  return lines;
 }
 
 // The position error over the frames, with the failed stages at the bottom and the events as
@@ -276,18 +164,7 @@ reports::Chart ErrorChart(const std::string& title, const reports::BodyStory& st
 int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
   const reports::BodyDetail& body = FindBodyNamed(flags.body, read.run.detail.bodies);
   const reports::BodyStory story = read.Story(body);
-  std::vector<std::string> lines = reports::StoryLines(story);
-  if (flags.oracles) {
-    if (!read.sequence) {
-      ThrowError("--oracles", "no detection file of the run", "it where the run read it");
-    }
-    const auto results = TryOracles(flags.run, *read.sequence, body.id, flags.threads, flags.quiet);
-    if (!results) return kStopped;
-    std::vector<OracleResult> all = {ResultOf("as run", body)};
-    all.insert(all.end(), results->begin(), results->end());
-    for (std::string& line : OracleLines(all)) lines.push_back(std::move(line));
-  }
-  for (const std::string& line : lines) std::cout << line << '\n';
+  for (const std::string& line : reports::StoryLines(story)) std::cout << line << '\n';
   std::cout << '\n';
   TextTable table({"frames", "stage", "error, cm", "detected", "landmarks at first", "events"});
   for (const reports::TimelineRow& row : reports::TimelineOf(story, read.run.detail.bodies)) {
@@ -322,9 +199,7 @@ Command AddExplainCommand(CLI::App& program) {
                              "Explain why a run lost or misplaced a body: which stage failed, in "
                              "which frames, and how its landmarks were labelled");
   const auto flags = std::make_shared<ExplainFlags>();
-  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app->add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{*app};
   add("RUN", flags->run, "", "output folder of clustervo run --landmarks")->required();
   CLI::Option* body = add("BODY", flags->body, "",
                           "name or number of a ground-truth body; default: list all bodies");
@@ -332,20 +207,14 @@ Command AddExplainCommand(CLI::App& program) {
       "also write a chart (SVG) of the position error over the frames, with the failed stages and "
       "the frames in which the body was found, lost, merged or worst estimated")
       ->needs(body);
-  app->add_flag("--oracles", flags->oracles,
-                "rerun the sequence with true boxes, true labels and the true camera in turn, and "
-                "report which of them repairs the body")
-      ->needs(body);
   add("--sequence", flags->sequence, "FOLDER", "folder of the images, if they have moved since");
-  AddThreads(*app, flags->threads);
-  AddQuiet(*app, flags->quiet);
   app->footer(
       "Stages: detection missing, no landmarks, label wrong, merged into another body, not "
       "confirmed\nyet, under another id (than the cluster that is scored), motion wrong (the "
       "landmarks are right).\nIn every judged frame, the first stage that applies is counted.\n"
       "Examples:\n"
       "  clustervo explain results/indoor_1\n"
-      "  clustervo explain results/indoor_1 ball_1 -o ball_1.svg --oracles");
+      "  clustervo explain results/indoor_1 ball_1 -o ball_1.svg");
   return {app, [flags] { return Explain(*flags); }};
 }
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/reports/report.h"
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -16,14 +14,10 @@
 #include "core/files/json/json_record.h"
 #include "core/files/text/closest_names.h"
 #include "core/record/metric_catalogue.h"
-#include "core/record/plan_file.h"
+#include "core/record/suite_runs.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/pictures/run_images.h"
-#include "experiments/cli/reports/suite_table.h"
-#include "experiments/cli/scratch_folder.h"
-#include "reports/figures/numbers.h"
+#include "experiments/cli/reports/reports.h"
+#include "reports/figures/figure_style.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/picture_files.h"
 #include "reports/page/page.h"
@@ -117,9 +111,7 @@ constexpr std::size_t kMaxPageBytes = 14'500'000;
 constexpr std::size_t kMaxImageBytes = 4'500'000;   // all images of a page, 6 MB in base64
 constexpr std::size_t kMinBytes = 1'000'000;        // left for images even if runs are long
 constexpr std::size_t kTypicalImageBytes = 12'000;  // one image
-constexpr int kAllWidth = 640;                      // pixels, of the images stored beside the page
-constexpr int kAllQuality = 80;
-constexpr int kWidth = 320;  // of those in the page
+constexpr int kWidth = 320;                         // of those in the page
 constexpr int kQuality = 60;
 constexpr std::size_t kMinFrames = 8;
 constexpr std::size_t kMaxFrames = 150;
@@ -199,45 +191,6 @@ void AddSceneImages(const fs::path& folder, int every, reports::PageContent& con
   }
 }
 
-// Names in a suite need not be valid file names; the number keeps similar ones distinct.
-std::string FolderName(std::size_t index, const reports::PlannedRun& run) {
-  return StrCat(index, "-", reports::Slug(reports::KeyOf(run, "sequence")), "-",
-                reports::Slug(reports::KeyOf(run, "variant")));
-}
-
-std::string FileName(int frame) {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "%06d.jpg", frame);
-  return name.data();
-}
-
-// Writes every drawn left image of every scene to `out`/images/<run>/ and enters this folder in the
-// scene.
-void WriteAllImages(const fs::path& folder, const fs::path& out, reports::PageContent& content) {
-  for (std::size_t i = 0; i < content.scenes.size(); ++i) {
-    reports::PageScene& scene = content.scenes[i];
-    std::vector<NamedContent> files;
-    const auto draw = [&files](const reports::OverlayRun& run, const RunImages& images) {
-      const reports::OverlayStyle style = reports::StyleFor(run.sequence.camera, kAllWidth);
-      for (const reports::CameraFrame& entry : run.detail.camera) {
-        const cv::Mat image = images.Left(entry.frame);
-        if (image.empty()) continue;
-        const cv::Mat drawn = reports::DrawOverlay(image, reports::FrameOf(run, entry.frame),
-                                                   run.sequence.camera, style);
-        files.push_back({FileName(entry.frame), reports::JpegBytes(drawn, kAllQuality)});
-      }
-    };
-    const std::string problem = DrawScene(RunFolder(folder, scene, content), draw);
-    if (!problem.empty()) {
-      scene.detail.missing.push_back("all images: " + problem);
-      continue;
-    }
-    scene.images_folder = "images/" + FolderName(i, content.runs[scene.run].run.planned);
-    fs::create_directories(out / scene.images_folder);
-    WriteFilesAtomically(out / scene.images_folder, files);
-  }
-}
-
 // ---- The page
 
 // Absolute path that ends in the folder's own name, also for "results/ci/" and ".".
@@ -279,11 +232,9 @@ int WriteReport(const ReportFlags& flags) {
   const reports::PageRequest request = RequestOf(flags);
   reports::PageContent content = reports::ReadPage(request);
   const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
-  std::vector<std::string> names = {"index.html"};
-  if (flags.all_images) names.emplace_back("images/");
   std::vector<fs::path> read = {request.folder, request.against};
   read.insert(read.end(), flags.runs.begin(), flags.runs.end());
-  const OutputFolder output = OpenOutput(out, names, read);
+  const OutputFolder output = OpenOutput(out, {"index.html"}, read);
   if (!flags.no_images) {
     AddSceneImages(request.folder, flags.every, content);
   } else {
@@ -291,7 +242,6 @@ int WriteReport(const ReportFlags& flags) {
       if (scene.wants_images) scene.no_images = "left out by --no-images";
     }
   }
-  if (flags.all_images) WriteAllImages(request.folder, out, content);
   WriteFilesAtomically(out, {{"index.html", reports::PageHtml(content)}});
   std::cout << "written: " << (out / "index.html").string() << '\n';
   for (const std::string& problem : content.problems) std::cerr << "missing: " << problem << '\n';
@@ -301,28 +251,21 @@ int WriteReport(const ReportFlags& flags) {
 Command AddReportCommand(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("report", "Write the results of a suite as a single HTML page");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<ReportFlags>();
-  app->add_option("DIR", flags->runs,
-                  "output folder of a suite, or the output folders of runs on one sequence, which "
-                  "are shown side by side")
-      ->type_name("")
+  add("DIR", flags->runs, "",
+      "output folder of a suite, or the output folders of runs on one sequence, which "
+      "are shown side by side")
       ->required();
-  app->add_option("-o,--output", flags->out,
-                  "output folder for index.html; default: DIR/report; required for runs")
-      ->type_name("OUT");
-  app->add_option("--against", flags->against, "second output folder of the suite to compare with")
-      ->type_name("DIR");
-  CLI::Option* every =
-      app->add_option("--every", flags->every,
-                      "include images of every K-th frame; default: as many as fit")
-          ->type_name("K")
-          ->check(CLI::Range(1, 1000000).description(""));
+  add("-o,--output", flags->out, "OUT",
+      "output folder for index.html; default: DIR/report; required for runs");
+  add("--against", flags->against, "DIR", "second output folder of the suite to compare with");
+  CLI::Option* every = add("--every", flags->every, "K",
+                           "include images of every K-th frame; default: as many as fit")
+                           ->check(Within(1, 1000000));
   CLI::Option* none =
       app->add_flag("--no-images", flags->no_images, "write the page without images");
   none->excludes(every);
-  app->add_flag("--all-images", flags->all_images,
-                "also write OUT/images: every drawable frame of every run, as JPEG")
-      ->excludes(none);
   app->footer(
       "The page is self-contained and works offline. It lists what is missing or failed.\nExit "
       "code 1 if a whole section of the page could not be made.\n"

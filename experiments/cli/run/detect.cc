@@ -13,11 +13,8 @@
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/sequence_flags.h"
-#include "experiments/cli/run/text_table.h"
-#include "experiments/yolo/detector_model.h"
+#include "experiments/cli/run/run.h"
+#include "experiments/datasets/detector_model.h"
 
 namespace cvo {
 namespace {
@@ -74,7 +71,7 @@ struct Outcome {
 Outcome DetectAll(const Sequence& sequence, DetectorModel& model, const DetectorOptions& options) {
   using Clock = std::chrono::steady_clock;
   Outcome outcome;
-  Progress progress(sequence.images.size(), false);
+  Progress progress(false);
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
     // Throws if the file cannot be read: this must not look like an image without boxes.
     const std::string bytes = ReadFileBytes(sequence.images[i].left);
@@ -92,7 +89,7 @@ Outcome DetectAll(const Sequence& sequence, DetectorModel& model, const Detector
         outcome.rows += Row(sequence.first_frame + static_cast<int>(i), detection);
       }
     }
-    progress.Report(i + 1);
+    progress.Report(i + 1, sequence.images.size());
   }
   return outcome;
 }
@@ -128,9 +125,7 @@ Command AddDetectCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "detect", "Find 2D boxes in the left images of a sequence with a YOLO network");
   const auto flags = std::make_shared<DetectFlags>();
-  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app->add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{*app};
   add("SEQUENCE", flags->sequence.folder, "", "folder of a sequence, as for run")->required();
   flags->sequence.AddLayoutTo(*app);
   add("--pair", flags->sequence.pair, "NAME",
@@ -143,17 +138,15 @@ Command AddDetectCommand(CLI::App& program) {
   add("--input", flags->input, "WxH",
       "size of the network's input; default: that of the .cfg, or 640x640");
   add("--min-score", flags->options.min_score, "SCORE", "minimum score of a box")
-      ->check(CLI::Range(0.0, 1.0).description(""))
-      ->check(FiniteProblem)
+      ->check(Within(0.0, 1.0))
       ->capture_default_str();
   add("--max-overlap", flags->options.max_overlap, "NUMBER",
       "non-maximum suppression: of boxes of the same class that overlap by more than this "
       "intersection over union, only the best is kept")
-      ->check(CLI::Range(0.0, 1.0).description(""))
-      ->check(FiniteProblem)
+      ->check(Within(0.0, 1.0))
       ->capture_default_str();
   add("-t,--threads", flags->threads, "N", "threads of the network")
-      ->check(CLI::Range(1, 256).description(""))
+      ->check(Within(1, 256))
       ->capture_default_str();
   add("-o,--output", flags->output, "FILE", "file to write, in KITTI tracking's format")
       ->required();

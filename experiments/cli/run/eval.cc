@@ -12,19 +12,15 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "core/files/text/number.h"
-#include "experiments/cache/content_hash.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/run_summary.h"
-#include "experiments/cli/run/sequence_flags.h"
-#include "experiments/metrics/alignment.h"
+#include "experiments/cli/run/run.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "experiments/metrics/clock_offset.h"
 #include "experiments/metrics/trajectory.h"
+#include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
-#include "experiments/runner/score_files.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/runner/system_run.h"
+#include "experiments/suite/plan_inputs.h"
 
 namespace cvo {
 namespace {
@@ -109,9 +105,9 @@ int EvaluateFiles(const TrajectoryFlags& flags) {
                StrCat("2 or more within ", flags.max_time_difference_s, " s"));
   }
   if (poses.matched < poses.unmatched_estimate) {
-    std::cerr << StrCat("clustervo: note: only ", poses.matched, " of ",
-                        poses.matched + poses.unmatched_estimate, " poses of ", flags.estimate,
-                        " match one of the truth within ", flags.max_time_difference_s, " s\n");
+    PrintNotice(StrCat("note: only ", poses.matched, " of ",
+                       poses.matched + poses.unmatched_estimate, " poses of ", flags.estimate,
+                       " match one of the truth within ", flags.max_time_difference_s, " s"));
   }
   std::vector<Metric> metrics =
       EvaluateCamera(poses.truth, poses.estimate, reports::TruthSource::kFile);
@@ -133,16 +129,6 @@ int EvaluateFiles(const TrajectoryFlags& flags) {
 
 constexpr const char* kResult = "result.json";
 
-std::string HashSequence(const Sequence& sequence) {
-  Progress progress(sequence.images.size(), false);
-  std::vector<ImageHashes> images;
-  for (const StereoPaths& pair : sequence.images) {
-    images.push_back({HashFile(pair.left), HashFile(pair.right)});
-    progress.Report(images.size());
-  }
-  return ContentHash(sequence, images);
-}
-
 // Throws Error for the folder of a run: its result would be lost, and its other files would be
 // taken for those of the system.
 void RefuseRunFolder(const fs::path& folder) {
@@ -154,8 +140,9 @@ void RefuseRunFolder(const fs::path& folder) {
 
 void PrintOutcome(const Sequence& sequence, const TrajectoryFlags& flags,
                   const SystemOutcome& outcome) {
-  std::cout << sequence.name << ": poses of " << outcome.frames - outcome.frames_without_camera
-            << " of " << outcome.frames << " frames";
+  const auto frames = static_cast<int>(sequence.images.size());
+  std::cout << sequence.name << ": poses of " << frames - outcome.frames_without_camera << " of "
+            << frames << " frames";
   if (!flags.objects.empty()) {
     std::cout << ", objects in " << outcome.object_frames << " object-frames";
     if (outcome.object_frames_left_out > 0) {
@@ -192,7 +179,7 @@ int EvaluateSequence(const TrajectoryFlags& flags) {
   SystemRequest request{sequence, "", {name, estimate, flags.objects}, 0, flags.right_shift_px};
   if (flags.json || output) {
     ReadSystem(sequence, request.files);  // reports bad files before the images are hashed
-    request.content = HashSequence(sequence);
+    request.content = ContentHash(sequence, HashImages(sequence));
   }
   const SystemOutcome outcome =
       output ? ScoreSystem(request, output->path()) : ScoreSystem(request);
@@ -270,14 +257,13 @@ void CheckUsage(const CLI::App& app, const TrajectoryFlags& flags) {
 }
 
 void AddInputs(CLI::App& app, TrajectoryFlags& flags) {
-  app.add_option("--groundtruth", flags.groundtruth,
-                 "trajectory file with the ground truth; with --sequence on KITTI raw: devkit or "
-                 "interpolated")
-      ->type_name("FILE");
-  app.add_option("--estimate", flags.estimate, "trajectory file")->type_name("FILE")->required();
-  app.add_option("--sequence", flags.sequence.folder,
-                 "use the ground truth of this sequence instead of a file")
-      ->type_name("FOLDER");
+  const FlagAdder add{app};
+  add("--groundtruth", flags.groundtruth, "FILE",
+      "trajectory file with the ground truth; with --sequence on KITTI raw: devkit or "
+      "interpolated");
+  add("--estimate", flags.estimate, "FILE", "trajectory file")->required();
+  add("--sequence", flags.sequence.folder, "FOLDER",
+      "use the ground truth of this sequence instead of a file");
   app.add_flag("--json", flags.json, "print JSON, with the contract of each metric");
   flags.sequence.AddTruthTo(app);
 }
@@ -286,17 +272,14 @@ Command AddTrajectoryCommand(CLI::App& eval) {
   CLI::App* app = eval.add_subcommand(
       "trajectory", "Score a trajectory file, or the results of another system on a sequence");
   const auto flags = std::make_shared<TrajectoryFlags>();
-  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app->add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{*app};
   AddInputs(*app, *flags);
   add("--format", flags->format, "NAME",
       "tum (time tx ty tz qx qy qz qw) or kitti (12 numbers); default: from the number of columns")
       ->check(OneOf({"tum", "kitti"}));
   add("--max-time-difference", flags->max_time_difference_s, "SECONDS",
       "maximum time difference of matching TUM poses")
-      ->check(CLI::Range(0.0, 1e6).description(""))
-      ->check(FiniteProblem)
+      ->check(Within(0.0, 1e6))
       ->capture_default_str();
   add("--objects", flags->objects, "FILE|FOLDER",
       "KITTI tracking rows with 3D boxes, or a folder of <id>.tum files");
@@ -304,8 +287,7 @@ Command AddTrajectoryCommand(CLI::App& eval) {
   add("-o,--output", flags->output, "FOLDER", "folder for result.json, in the format of a run");
   add("--right-shift", flags->right_shift_px, "PX",
       "rectification correction applied to the system's input; default: 0, as published")
-      ->check(CLI::Range(-100.0, 100.0).description(""))
-      ->check(FiniteProblem);
+      ->check(Within(-100.0, 100.0));
   for (const std::string& flag : kOfSequence) app->get_option(flag)->group("With --sequence");
   app->footer(
       "Poses are world_from_camera. For ATE, the estimate is aligned by SE(3) over "
@@ -329,12 +311,11 @@ Command AddClockCommand(CLI::App& eval) {
   CLI::App* app = eval.add_subcommand("clock",
                                       "Estimate from rotation rates how far the clock of the "
                                       "ground truth is ahead of an estimate's");
+  const FlagAdder add{*app};
   const auto flags = std::make_shared<TrajectoryFlags>();
   AddInputs(*app, *flags);
-  app->add_option("--within", flags->most_s, "search from -SECONDS to SECONDS (0.01 to 10)")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.01, kMostClockOffset_s).description(""))
-      ->check(FiniteProblem)
+  add("--within", flags->most_s, "SECONDS", "search from -SECONDS to SECONDS (0.01 to 10)")
+      ->check(Within(0.01, kMostClockOffset_s))
       ->capture_default_str();
   app->final_callback([app, flags] { CheckUsage(*app, *flags); });
   return {app, [flags] { return EstimateClock(*flags); }};

@@ -11,9 +11,8 @@
 #include "core/base/error.h"
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/run/text_table.h"
-#include "experiments/metrics/kitti_ap/box_metrics.h"
-#include "experiments/metrics/tracking/tracking_scores.h"
+#include "experiments/metrics/boxes/average_precision.h"
+#include "experiments/metrics/boxes/tracking_scores.h"
 
 namespace cvo {
 namespace {
@@ -180,9 +179,7 @@ Command AddEvalBoxesCommand(CLI::App& eval) {
   CLI::App* app = eval.add_subcommand(
       "boxes", "Score boxes by KITTI's average precision, or tracks by HOTA, CLEAR and IDF1");
   const auto flags = std::make_shared<BoxFlags>();
-  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app->add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{*app};
   add("--labels", flags->labels, "FILE|FOLDER",
       "labels: a file of KITTI tracking, or a folder of KITTI object files")
       ->required();
@@ -200,8 +197,7 @@ Command AddEvalBoxesCommand(CLI::App& eval) {
   add("--iou", flags->least_overlap, "NUMBER",
       "ap: a match needs a larger intersection over union than this; default: 0.7 for Car, "
       "otherwise 0.5, as in the benchmark")
-      ->check(CLI::Range(0.0, 1.0).description(""))
-      ->check(FiniteProblem);
+      ->check(Within(0.0, 1.0));
   add("--truncation", flags->truncation, "RULE",
       "ap: applied (labels truncated beyond a level's limit are ignored at that level; in "
       "tracking files that is every label with truncation 1 or 2) or ignored (no limit)")

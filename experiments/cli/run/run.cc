@@ -1,43 +1,106 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include "experiments/cli/run/run.h"
+
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/files/json/options_json.h"
+#include "core/files/text/closest_names.h"
+#include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/former_run.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/run/pair_check.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/run/run_summary.h"
-#include "experiments/cli/run/sequence_flags.h"
-#include "experiments/cli/run/text_table.h"
-#include "experiments/cli/stop_signal.h"
-#include "experiments/runner/job_cache.h"
+#include "experiments/runner/identity.h"
 #include "experiments/runner/run_job.h"
-#include "experiments/suite/plan/inputs.h"
+#include "experiments/suite/plan_inputs.h"
 #include "synth/write/render_cache.h"
+#include "variants/registry.h"
 
 namespace cvo {
 namespace {
 
+namespace fs = std::filesystem;
+
+// Like FindVariant, but throws UsageError with the nearest names if there is no such variant.
+const VariantInfo& VariantNamed(const std::string& name) {
+  std::vector<std::string> names;
+  for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
+  const std::string meant = DidYouMean(name, names);
+  const bool known = std::find(names.begin(), names.end(), name) != names.end();
+  if (known) return FindVariant(name);
+  throw UsageError(StrCat("--variant: found ", Quoted(name), meant, ", expected ",
+                          meant.empty() ? OneOfKnown(name, names)
+                                        : "one of those that `clustervo list variants` lists"));
+}
+
+// Throws UsageError if the folder contains the result of a run other than the requested one,
+// whichever build made it, or a landmarks.csv that the request does not ask for, because the new
+// run would replace them. Reads the images of the sequence only if nothing else distinguishes the
+// two runs.
+void CheckFormerRun(const RunRequest& request, const fs::path& folder) {
+  if (!fs::exists(folder / "result.json")) return;
+  reports::RunSummary run;
+  try {
+    run = reports::ReadRun(folder / "result.json", {});
+  } catch (const Error& error) {
+    throw UsageError(StrCat(error.what(), "; use --force to replace it"));
+  }
+  const auto expect = [&](bool same, const std::string& found, const std::string& expected) {
+    if (same) return;
+    throw UsageError(StrCat(folder.string(), ": found a run of ", run.sequence.name, " with ",
+                            found, ", expected ", expected, "; use --force to replace it"));
+  };
+  const auto expect_same = [&](const std::string& what, const std::string& found,
+                               const std::string& asked) {
+    expect(found == asked, StrCat(what, " ", found), asked);
+  };
+  const Sequence& sequence = request.sequence;
+  const auto end = sequence.first_frame + static_cast<int>(sequence.images.size());
+  expect_same("sequence", run.sequence.name, sequence.name);
+  expect_same("frames", StrCat(run.sequence.first_frame, ":", run.sequence.range().last + 1),
+              StrCat(sequence.first_frame, ":", end));
+  expect_same("variant", run.variant, std::string(request.variant.name));
+  expect_same("seed", StrCat(run.seed), StrCat(request.seed));
+  Options options = request.options;
+  const auto former = FlatJson(run.options);
+  const std::string asked = DumpJson(OptionsToJson(OptionLeaves(options)));
+  for (const auto& [path, value] : FlatJson(ParseJson(asked, "options"))) {
+    const auto known = former.find(path);
+    expect_same("option " + path, known == former.end() ? "not known" : known->second, value);
+  }
+  expect(run.sequence.detections_hash == DetectionsHash(sequence),
+         StrCat("other detections (", run.sequence.detections, ")"),
+         StrCat("the given ones (", sequence.detections.size(), ")"));
+  expect_same("classes and oracles", run.given.dump(),
+              Given(sequence, request.classes, request.oracle).dump());
+  expect(request.landmarks || !fs::exists(folder / "landmarks.csv"), "landmarks.csv",
+         "one without, or --landmarks");
+  const auto& hashes = request.images;
+  expect(
+      run.sequence.content == ContentHash(sequence, hashes.empty() ? HashImages(sequence) : hashes),
+      "other images, calibration or ground truth", "the given ones");
+}
+
 struct Flags {
   SequenceFlags sequence;
-  RunFlags run;
+  std::string config;
+  std::vector<std::string> set;
+  int threads = 1;
+  bool quiet = false;
   std::string variant = "full";
   std::string output;
-  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> seed;
   std::string classes;
   std::string oracle = "none";
   bool strict = false;
@@ -112,17 +175,10 @@ void RefuseLost(const Sequence& sequence, const RunResult& run) {
 // Opens the cache of earlier runs. Its notices report what it has to do without.
 JobCache OpenCache(const Flags& flags, std::size_t frames) {
   FileHashHooks hooks;
-  // Overwrites the progress bar, if there is one.
-  const char* start = ::isatty(STDERR_FILENO) ? "\r\033[K" : "";
-  hooks.notice = [start](const std::string& line) {
-    std::fputs(start, stderr);
-    std::cerr << "clustervo: " << line << '\n';
-  };
-  const auto progress = std::make_shared<std::optional<Progress>>();
-  hooks.hashed = [=, quiet = flags.run.quiet](std::size_t done, std::size_t total) {
-    if (!*progress) progress->emplace(frames, quiet);
-    (*progress)->Report(frames * done / total);
-    if (done == total) progress->reset();
+  hooks.notice = PrintNotice;
+  const auto progress = std::make_shared<Progress>(flags.quiet);
+  hooks.hashed = [progress, frames](std::size_t done, std::size_t total) {
+    progress->Report(frames * done / total, frames);
   };
   return {synth::CacheFolder(), CacheLimit(flags.cache_size), hooks};
 }
@@ -130,21 +186,22 @@ JobCache OpenCache(const Flags& flags, std::size_t frames) {
 int Run(const Flags& flags) {
   if (!flags.cache_size.empty()) (void)CacheLimit(flags.cache_size);  // even without --cache
   const VariantInfo& variant = VariantNamed(flags.variant);
-  const Options options = flags.run.Resolve(variant.defaults());
+  CheckNoFolder("--config", flags.config);
+  const Options options = ResolveOptions<Options>(flags.config, flags.set, variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   CheckApartFrom(flags.sequence.OwnInputs(), flags.output);
   CheckPlaceOfRun(flags.output);
-  const Sequence sequence = OpenSequence(flags.sequence.Request(flags.run.quiet));
+  const Sequence sequence = OpenSequence(flags.sequence.Request(flags.quiet));
   CheckClasses(classes, sequence.detections);
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
-  read.emplace_back(flags.run.config);
+  read.emplace_back(flags.config);
   const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);
 
   std::optional<JobCache> cache;
   if (flags.cache) cache.emplace(OpenCache(flags, sequence.images.size()));
   RequireAsRendered(sequence, [&](const auto& files) {
-    return cache ? cache->HashesOf(files, flags.run.threads) : HashesByReading(files);
+    return cache ? cache->HashesOf(files, flags.threads) : HashesByReading(files);
   });
 
   std::optional<JobOutcome> outcome;
@@ -153,8 +210,8 @@ int Run(const Flags& flags) {
     RunRequest request = {.sequence = sequence,
                           .variant = variant,
                           .options = options,
-                          .seed = flags.seed,
-                          .threads = flags.run.threads,
+                          .seed = flags.seed.value_or(0),
+                          .threads = flags.threads,
                           .classes = classes,
                           .oracle = ParseOracle(flags.oracle),
                           .landmarks = flags.landmarks,
@@ -162,13 +219,13 @@ int Run(const Flags& flags) {
                           .stop = [&stop] { return stop.Requested(); }};
     if (cache) cache->Serve(request);
     if (!flags.force) CheckFormerRun(request, output.path());
-    Progress progress(sequence.images.size(), flags.run.quiet);
-    request.progress = [&progress](std::size_t done) { progress.Report(done); };
+    Progress progress(flags.quiet);
+    request.progress = [&](std::size_t done) { progress.Report(done, sequence.images.size()); };
     outcome = RunJob(request, output.path());
   }
   if (!outcome) {
-    std::cerr << "clustervo: stopped, nothing was written\n";
-    return kStopped;
+    PrintNotice("stopped, nothing was written");
+    return kInterrupted;
   }
   if (outcome->run.status == RunStatus::kFailed) throw Error(outcome->run.message);
   PrintSummary(sequence, *outcome, flags.all);
@@ -184,17 +241,18 @@ Command AddRunCommand(CLI::App& program) {
       program.add_subcommand("run", "Estimate the camera's trajectory on a sequence and score it");
   const auto flags = std::make_shared<Flags>();
   flags->sequence.AddTo(*app);
-  const auto add = [app](const char* flag, auto& value, const char* kind, const char* meaning) {
-    return app->add_option(flag, value, meaning)->type_name(kind);
-  };
+  const FlagAdder add{*app};
   add("-o,--output", flags->output, "FOLDER", "output folder for the results")->required();
   add("--variant", flags->variant, "NAME", "estimator variant (see clustervo list variants)")
       ->capture_default_str();
-  flags->run.AddTo(*app);
-  app->add_option_function<std::string>(
-         "--seed", [flags](const std::string& text) { flags->seed = ParseSeed(text); },
-         "random seed of the estimator; default: 0")
-      ->type_name("N");
+  add("--set", flags->set, "PATH=VALUE",
+      "set one option (see clustervo list options); can be repeated")
+      ->allow_extra_args(false);
+  add("--config", flags->config, "FILE",
+      "JSON file with options as nested objects; --set takes precedence");
+  AddThreads(*app, flags->threads);
+  AddQuiet(*app, flags->quiet);
+  AddSeed(*app, flags->seed, "random seed of the estimator; default: 0");
   add("--classes", flags->classes, "A,B,...",
       "detection classes to treat as rigid bodies, others are ignored; default: vehicles and the "
       "moving objects of the shipped scenes");

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/cli/run/run_summary.h"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -10,7 +8,8 @@
 #include <string_view>
 
 #include "core/base/lists.h"
-#include "experiments/cli/run/text_table.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/run/run.h"
 
 namespace cvo {
 namespace {

@@ -8,18 +8,13 @@
 #include "core/base/lists.h"
 #include "core/files/json/json_record.h"
 #include "core/files/text/number.h"
+#include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "core/record/timing.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/pictures/overlay.h"
-#include "experiments/cli/reports/report.h"
-#include "experiments/cli/reports/suite_table.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/stop_signal.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/reports/reports.h"
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/suite.h"
-#include "reports/page/html.h"
+#include "reports/page/page.h"
 #include "reports/runs/suite_times.h"
 #include "reports/tables/make_table.h"
 
@@ -39,7 +34,7 @@ struct Speed {
 void AddSpeeds(const fs::path& folder, std::map<std::string, Speed>& speeds) {
   for (const reports::PlannedRun& run : reports::ReadPlan(folder / "plan.json").runs) {
     const fs::path file = folder / "jobs" / run.job / "timing.json";
-    if (run.job.empty() || run.system || !fs::exists(file)) continue;
+    if (run.job.empty() || !run.system.empty() || !fs::exists(file)) continue;
     const auto timing = ReadRecord<reports::TimingData>(file);
     Speed& speed = speeds[run.variant];
     speed.frames_per_s.push_back(timing.frames_per_second);
@@ -88,7 +83,7 @@ class CollectionRun {
     for (const CollectionSection& section : collection_.sections) {
       if (section.suite.empty() || ran_.contains(section.suite)) continue;
       const int code = RunOne(section.suite);
-      if (code == kStopped) return code;
+      if (code == kInterrupted) return code;
       worst = std::max(worst, code);
     }
     WriteFilesAtomically(root_, {{"index.html", Page()}});
@@ -129,7 +124,7 @@ class CollectionRun {
       std::cout << problem << '\n';
     }
     const bool is_timed = LoadSuite(suite).timed_threads > 0;
-    if (code != kStopped && is_timed) AddSpeeds(FolderOf(suite), speeds_);
+    if (code != kInterrupted && is_timed) AddSpeeds(FolderOf(suite), speeds_);
     return code;
   }
 
@@ -198,7 +193,7 @@ class CollectionRun {
 
   static std::string TimesHtml(const fs::path& folder) {
     const reports::SuiteTimes times = reports::ReadSuiteTimes(folder);
-    std::vector<std::vector<std::string>> rows = reports::TimesTable(times);
+    std::vector<std::vector<std::string>> rows = times.table;
     const std::vector<std::string> columns = rows.front();
     rows.erase(rows.begin());
     return reports::Element("p", "Here: " + Joined(times.machines, "; ") + ".") + "\n" +

@@ -16,36 +16,24 @@
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/output_file.h"
-#include "experiments/cli/output_place.h"
-#include "experiments/cli/progress.h"
-#include "experiments/cli/run/known_names.h"
-#include "experiments/cli/run/run_flags.h"
-#include "experiments/cli/stop_signal.h"
-#include "experiments/jobs/run_plan.h"
-#include "experiments/jobs/slurm/slurm_engine.h"
+#include "experiments/suite/run_plan.h"
+#include "experiments/suite/slurm.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
 
 void SuiteFlags::AddTo(CLI::App& app) {
-  app.add_option("SUITE", suite, "a shipped suite (clustervo list suites) or a suite file")
-      ->type_name("")
-      ->required();
-  app.add_option("-o,--output", output, "output folder of the suite")->type_name("DIR")->required();
-  app.add_option("--data", data, "root folder of the real sequences; default: CLUSTERVO_DATA")
-      ->type_name("FOLDER");
-  app.add_option("--seeds", overrides.seeds, "use seeds 1 to N instead of the suite's")
-      ->type_name("N")
-      ->check(CLI::Range(1, 10000).description(""));
-  app.add_option("--frames", overrides.frames,
-                 "use frames A to B-1 of every sequence instead of the suite's")
-      ->type_name("A:B");
-  app.add_option(
-         "--set", overrides.set,
-         "set an option (see clustervo list options), an axis of the suite's grid, or, with the "
-         "prefix scene., a value of all scenes; can be repeated")
-      ->type_name("PATH=VALUE")
+  const FlagAdder add{app};
+  add("SUITE", suite, "", "a shipped suite (clustervo list suites) or a suite file")->required();
+  add("-o,--output", output, "DIR", "output folder of the suite")->required();
+  add("--data", data, "FOLDER", "root folder of the real sequences; default: CLUSTERVO_DATA");
+  add("--seeds", overrides.seeds, "N", "use seeds 1 to N instead of the suite's")
+      ->check(Within(1, 10000));
+  add("--frames", overrides.frames, "A:B",
+      "use frames A to B-1 of every sequence instead of the suite's");
+  add("--set", overrides.set, "PATH=VALUE",
+      "set an option (see clustervo list options), an axis of the suite's grid, or, with the "
+      "prefix scene., a value of all scenes; can be repeated")
       ->allow_extra_args(false);
 }
 
@@ -62,20 +50,17 @@ PlanRequest SuiteFlags::Request() const {
 }
 
 void EngineFlags::AddTo(CLI::App& app) {
-  app.add_option("-j,--jobs", jobs,
-                 "number of jobs to run in parallel; default: number of CPUs, with slurm all jobs")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024).description(""));
-  app.add_option(
-         "--engine", name,
-         "where jobs run: local (processes on this machine) or slurm (see experiments/README.md)")
-      ->type_name("NAME")
+  const FlagAdder add{app};
+  add("-j,--jobs", jobs, "N",
+      "number of jobs to run in parallel; default: number of CPUs, with slurm all jobs")
+      ->check(Within(1, 1024));
+  add("--engine", name, "NAME",
+      "where jobs run: local (processes on this machine) or slurm (see experiments/README.md)")
       ->check(OneOf({"local", "slurm"}))
       ->capture_default_str();
-  app.add_option("--sbatch", sbatch,
-                 "with slurm: additional flag for sbatch, such as --sbatch=--partition=short; can "
-                 "be repeated")
-      ->type_name("FLAG")
+  add("--sbatch", sbatch, "FLAG",
+      "with slurm: additional flag for sbatch, such as --sbatch=--partition=short; can "
+      "be repeated")
       ->allow_extra_args(false);
 }
 
@@ -131,26 +116,6 @@ OutputFolder OpenSuiteOutput(const SuiteFlags& flags, const std::string& suite) 
   return OpenOutput(flags.output, {"plan.json", "jobs/", "failed/", "logs/"}, ReadBy(flags));
 }
 
-// Progress of one stage, with a bar that appears with the first report.
-class StageProgress {
- public:
-  StageProgress(bool quiet, const ProgressUnit& unit) : quiet_(quiet), unit_(unit) {}
-
-  void Report(std::size_t done, std::size_t total) {
-    if (!progress_) progress_.emplace(total, quiet_, Progress::Clock::now(), unit_);
-    progress_->Report(done);
-  }
-  void Note(const std::string& line) const {
-    if (progress_) progress_->Note(line);
-    if (!progress_) std::cerr << line << '\n';
-  }
-
- private:
-  bool quiet_;
-  ProgressUnit unit_;
-  std::optional<Progress> progress_;
-};
-
 // Jobs whose times are measured must not run in parallel.
 EngineFlags EngineOf(EngineFlags flags, const Suite& suite) {
   if (suite.timed_threads == 0) return flags;
@@ -195,9 +160,8 @@ class SuiteRun {
   }
 
   int ReportStopped() const {
-    std::cerr << "clustervo: stopped; finished jobs are kept, and running the same command again "
-                 "continues\n";
-    return kStopped;
+    PrintNotice("stopped; finished jobs are kept, and running the same command again continues");
+    return kInterrupted;
   }
 
  private:
@@ -217,29 +181,23 @@ class SuiteRun {
   }
 
   BuiltPlan MakePlan() const {
-    // Progress is only of interest if images have to be read, and is only shown on a terminal.
-    StageProgress stage(flags_.quiet || ::isatty(STDERR_FILENO) == 0, kPlanned);
-    PlanRequest request = flags_.suite.Request();
-    request.notice = [](const std::string& line) { std::cerr << "clustervo: " << line << '\n'; };
-    request.progress = [&](std::size_t done, std::size_t total) {
+    return PlanSuite(suite_, flags_.suite, flags_.quiet, [this] {
       if (stop_.Requested()) throw Stopped();
-      stage.Report(done, total);
-    };
-    return BuildPlan(suite_, request);
+    });
   }
 
   void WritePlan(const Plan& plan) const {
     WriteFilesAtomically(folder_.root, {{"plan.json", PlanText(plan)}});
   }
 
-  PlanRun Settings(StageProgress& stage) const {
+  PlanRun Settings(Progress& stage) const {
     PlanRun run;
     run.folder = folder_;
     run.program = fs::read_symlink("/proc/self/exe").string();
     run.limit_s = flags_.limit_s;
     run.limit_memory_mb = flags_.limit_memory_mb;
     run.stop = [this] { return stop_.Requested(); };
-    run.progress = [&stage](std::size_t ended, std::size_t total) { stage.Report(ended, total); };
+    run.progress = stage.Reporter();
     run.notice = [&stage](const std::string& line) { stage.Note(line); };
     return run;
   }
@@ -256,7 +214,7 @@ class SuiteRun {
 
   void PrepareAtOnce(const std::vector<const Preparation*>& wanted, Stage stage, Messages& failed) {
     const bool boxes = stage == Stage::kBoxes;
-    StageProgress progress(flags_.quiet, boxes ? kSequences : kScenes);
+    Progress progress(flags_.quiet, boxes ? "sequences" : "scenes");
     const PlanRun run = Settings(progress);
     std::vector<Task> tasks;
     for (const Preparation* one : wanted) {
@@ -290,7 +248,7 @@ class SuiteRun {
   int RunJobs(const Plan& plan) {
     PlanOutcome outcome;
     {
-      StageProgress stage(flags_.quiet, kJobs);
+      Progress stage(flags_.quiet, "jobs");
       outcome = RunPlan(plan, Settings(stage), *engine_);
     }
     if (outcome.stopped) return ReportStopped();
@@ -301,8 +259,8 @@ class SuiteRun {
           StrCat(plan.suite.name, ": found no sequence, expected at least one below --data"));
     }
     if (outcome.failed == 0) return 0;
-    std::cerr << "clustervo: " << outcome.failed << " of " << plan.jobs.size()
-              << " jobs failed; the same command tries them again\n";
+    PrintNotice(StrCat(outcome.failed, " of ", plan.jobs.size(),
+                       " jobs failed; the same command tries them again"));
     return kIncomplete;
   }
 
@@ -316,6 +274,19 @@ class SuiteRun {
 };
 
 }  // namespace
+
+BuiltPlan PlanSuite(const Suite& suite, const SuiteFlags& flags, bool quiet,
+                    const std::function<void()>& stop) {
+  // Progress is only of interest if images have to be read, and is only shown on a terminal.
+  Progress stage(quiet || ::isatty(STDERR_FILENO) == 0, "jobs planned");
+  PlanRequest request = flags.Request();
+  request.notice = PrintNotice;
+  request.progress = [&](std::size_t done, std::size_t total) {
+    stop();
+    stage.Report(done, total);
+  };
+  return BuildPlan(suite, request);
+}
 
 int RunSuite(const SuiteRunFlags& flags) {
   SuiteRun run(flags);

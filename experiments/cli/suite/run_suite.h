@@ -3,16 +3,17 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
-#include "experiments/jobs/engine.h"
-#include "experiments/jobs/job_status.h"
+#include "experiments/suite/build_plan.h"
 #include "experiments/suite/collection.h"
-#include "experiments/suite/plan/build_plan.h"
+#include "experiments/suite/engine.h"
+#include "experiments/suite/job_status.h"
 #include "experiments/suite/suite.h"
 
 namespace cvo {
@@ -65,6 +66,11 @@ int RunSuite(const SuiteRunFlags& flags);
 // writes index.html there. Returns 0 if all jobs that can run have run; a suite without any
 // sequence on this disk is not a failure. Throws Error as RunSuite.
 int RunCollection(const Collection& collection, const SuiteRunFlags& flags);
+
+// Plans a suite, with its progress on a terminal. `stop` is called before each job; it may throw.
+BuiltPlan PlanSuite(
+    const Suite& suite, const SuiteFlags& flags, bool quiet,
+    const std::function<void()>& stop = [] {});
 
 // Prints "80 jobs: 76 done, 2 failed, 2 with missing input", then a line for each failed job, with
 // its message and log, and for each sequence with missing input.

@@ -9,6 +9,7 @@
 #include "core/files/text_file.h"
 
 namespace cvo {
+
 namespace {
 
 constexpr std::size_t kLabelColumns = 17;

@@ -30,11 +30,11 @@ Eigen::Quaterniond ReadRotation(const CsvFile& file, std::size_t row, std::size_
 }
 
 // Reads a box of four numbers; empty for four empty cells.
-std::optional<TruthBox> ReadBox(const CsvFile& file, std::size_t row, std::size_t column) {
+std::optional<ImageBox> ReadBox(const CsvFile& file, std::size_t row, std::size_t column) {
   int empty = 0;
   for (std::size_t i = 0; i < 4; ++i) empty += file.Empty(row, column + i) ? 1 : 0;
   if (empty == 4) return std::nullopt;
-  const TruthBox box = {file.Number(row, column), file.Number(row, column + 1),
+  const ImageBox box = {file.Number(row, column), file.Number(row, column + 1),
                         file.Number(row, column + 2), file.Number(row, column + 3)};
   if (box.right_px < box.left_px || box.bottom_px < box.top_px) {
     file.Fail(row,

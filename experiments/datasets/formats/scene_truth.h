@@ -10,17 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/association/box_association.h"
 #include "core/geometry/rigid_transform.h"
 
 namespace cvo {
-
-// Pixel centres are at integers: a box around the single pixel (u, v) has all four sides on it.
-struct TruthBox {
-  double left_px = 0.0;
-  double top_px = 0.0;
-  double right_px = 0.0;
-  double bottom_px = 0.0;
-};
 
 // One body in one frame of a synthetic scene: a row of objects.csv. The world is the first left
 // camera. The object's frame is x forward, y left, z up, with its origin at the centre of its box.
@@ -36,8 +29,9 @@ struct SceneBody {
   int alone_px = 0;                           // if nothing occluded it
   double visible_fraction = 0.0;              // visible_px / alone_px; 0 if out of view
   double truncation = 0.0;                    // fraction of its projected box outside the image
-  std::optional<TruthBox> visible_box;        // around the mask; empty if the mask is
-  std::optional<TruthBox> amodal_box;         // around the whole body, clipped to the image
+  // A box around the single pixel (u, v) has all four sides on it.
+  std::optional<ImageBox> visible_box;  // around the mask; empty if the mask is
+  std::optional<ImageBox> amodal_box;   // around the whole body, clipped to the image
 };
 
 extern const std::string_view kObjectsHeader;

@@ -302,15 +302,11 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
   AddCameraTruth(std::move(cameras), sequence);
 }
 
-Sequence ReadClusterSlam(const SequenceRequest& request) {
-  RequireDevkitTruth(request, "ClusterSLAM's data comes with one set of poses");
+void ReadClusterSlam(const SequenceRequest& request, Sequence& sequence) {
   const auto settings = LayoutSettings<Settings>(request);
   if (!(settings.rate_hz > 0.0)) {
     ThrowError("layout settings, rate_hz", StrCat(settings.rate_hz), "a positive number");
   }
-  Sequence sequence;
-  sequence.folder = request.folder;
-  sequence.name = request.folder.filename().string();
   AddPair(request, "colour",
           ListStereoImages(request.folder / "images/left", request.folder / "images/right"),
           sequence);
@@ -324,15 +320,17 @@ Sequence ReadClusterSlam(const SequenceRequest& request) {
                                ": no ground truth of camera and bodies");
   }
   AddBoxes(request, sequence);
-  return sequence;
 }
 
 }  // namespace
 
 SequenceLayout ClusterslamLayout() {
-  return {"clusterslam",    "images/left, pose, landmark_mapping.txt",
-          KnowsClusterSlam, ClusterSlamHasImages,
-          ReadClusterSlam,  ToJson(Settings())};
+  return {"clusterslam",
+          KnowsClusterSlam,
+          ClusterSlamHasImages,
+          ReadClusterSlam,
+          "ClusterSLAM's data comes with one set of poses",
+          ToJson(Settings())};
 }
 
 }  // namespace cvo

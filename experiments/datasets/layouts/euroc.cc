@@ -8,7 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "experiments/calibration/rig_file.h"
+#include "experiments/datasets/calibration/rig_file.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_parts.h"
@@ -87,12 +87,8 @@ void AddTruth(const fs::path& mav, Sequence& sequence) {
   AddCameraTruth(body, body_from_left, "it starts later or ends earlier", sequence);
 }
 
-Sequence ReadEuroc(const SequenceRequest& request) {
-  RequireDevkitTruth(request, "EuRoC comes with one set of poses");
-  Sequence sequence;
-  sequence.folder = request.folder;
-  const bool inside = request.folder.filename() == "mav0";
-  sequence.name = (inside ? request.folder.parent_path() : request.folder).filename().string();
+void ReadEuroc(const SequenceRequest& request, Sequence& sequence) {
+  if (sequence.name == "mav0") sequence.name = request.folder.parent_path().filename().string();
   const fs::path mav = MavFolder(request.folder);
   AddPair(request, "grey", CheckedImages(PairImages(mav, sequence)), sequence);
   const fs::path right = mav / "cam1/sensor.yaml";
@@ -100,13 +96,12 @@ Sequence ReadEuroc(const SequenceRequest& request) {
   sequence.other_files.push_back(mav / "cam0/sensor.yaml");
   AddTruth(mav, sequence);
   AddBoxes(request, sequence);
-  return sequence;
 }
 
 }  // namespace
 
 SequenceLayout EurocLayout() {
-  return {"euroc", "mav0/cam0, mav0/cam1", KnowsEuroc, EurocHasImages, ReadEuroc};
+  return {"euroc", KnowsEuroc, EurocHasImages, ReadEuroc, "EuRoC comes with one set of poses"};
 }
 
 }  // namespace cvo

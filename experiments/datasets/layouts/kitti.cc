@@ -13,6 +13,7 @@
 // <training>/image_02/<number>.
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 #include "core/files/text/closest_names.h"
@@ -72,26 +73,30 @@ SequenceRequest WithLevel(const SequenceRequest& request) {
   return resolved;
 }
 
-bool KnowsOdometry(const fs::path& folder) {
-  return IsFolder(folder / "image_0") || IsFolder(folder / "image_1") ||
-         IsFolder(folder / "image_2") || IsFolder(folder / "image_3");
+// The folders of the images of cameras 0 to 3.
+using CameraFolders = std::array<fs::path, 4>;
+
+bool HasAny(const CameraFolders& folders) {
+  return std::any_of(folders.begin(), folders.end(), IsFolder);
 }
 
-bool OdometryHasImages(const fs::path& folder) {
-  return AreFolders(folder / "image_0", folder / "image_1") ||
-         AreFolders(folder / "image_2", folder / "image_3");
+bool HasPair(const CameraFolders& folders) {
+  return AreFolders(folders[0], folders[1]) || AreFolders(folders[2], folders[3]);
 }
 
-Sequence ReadKittiOdometry(const SequenceRequest& request) {
-  RequireDevkitTruth(request, "KITTI odometry comes with one set of poses");
-  Sequence sequence;
-  sequence.folder = request.folder;
-  sequence.name = request.folder.filename().string();
-  const auto images = [&](const char* image) { return request.folder / image; };
-  const CameraPair pair =
-      ChoosePair(request, {{"grey", 0, 1, images("image_0"), images("image_1")},
-                           {"colour", 2, 3, images("image_2"), images("image_3")}});
+CameraPair ChooseCameras(const SequenceRequest& request, const CameraFolders& folders) {
+  return ChoosePair(
+      request, {{"grey", 0, 1, folders[0], folders[1]}, {"colour", 2, 3, folders[2], folders[3]}});
+}
 
+CameraFolders OdometryFolders(const fs::path& folder) {
+  return {folder / "image_0", folder / "image_1", folder / "image_2", folder / "image_3"};
+}
+bool KnowsOdometry(const fs::path& folder) { return HasAny(OdometryFolders(folder)); }
+bool OdometryHasImages(const fs::path& folder) { return HasPair(OdometryFolders(folder)); }
+
+void ReadKittiOdometry(const SequenceRequest& request, Sequence& sequence) {
+  const CameraPair pair = ChooseCameras(request, OdometryFolders(request.folder));
   const CalibrationFile calibration(request.folder / "calib.txt");
   const CameraRig rig(calibration, "P");
   sequence.other_files.push_back(calibration.path());
@@ -106,7 +111,6 @@ Sequence ReadKittiOdometry(const SequenceRequest& request) {
   AddBoxes(WithLevel(request),
            {.file = fs::exists(labels) ? labels : fs::path(), .camera = pair.left}, rig, pair.left,
            sequence);
-  return sequence;
 }
 
 using ImuTruth = std::vector<std::optional<RigidTransform>>;
@@ -206,25 +210,16 @@ void AddRawTruth(const SequenceRequest& request, const fs::path& date_folder,
   sequence.groundtruth = request.groundtruth;
 }
 
-bool KnowsRaw(const fs::path& folder) {
-  return IsFolder(folder / "image_00/data") || IsFolder(folder / "image_01/data") ||
-         IsFolder(folder / "image_02/data") || IsFolder(folder / "image_03/data");
+CameraFolders RawFolders(const fs::path& folder) {
+  return {folder / "image_00/data", folder / "image_01/data", folder / "image_02/data",
+          folder / "image_03/data"};
 }
+bool KnowsRaw(const fs::path& folder) { return HasAny(RawFolders(folder)); }
+bool RawHasImages(const fs::path& folder) { return HasPair(RawFolders(folder)); }
 
-bool RawHasImages(const fs::path& folder) {
-  return AreFolders(folder / "image_00/data", folder / "image_01/data") ||
-         AreFolders(folder / "image_02/data", folder / "image_03/data");
-}
-
-Sequence ReadKittiRaw(const SequenceRequest& request) {
-  Sequence sequence;
-  sequence.folder = request.folder;
+void ReadKittiRaw(const SequenceRequest& request, Sequence& sequence) {
   sequence.name = DriveName(request.folder);
-  const auto data = [&](const char* image) { return request.folder / image / "data"; };
-  const CameraPair pair =
-      ChoosePair(request, {{"grey", 0, 1, data("image_00"), data("image_01")},
-                           {"colour", 2, 3, data("image_02"), data("image_03")}});
-
+  const CameraPair pair = ChooseCameras(request, RawFolders(request.folder));
   const fs::path date_folder = request.folder.parent_path();
   const CalibrationFile cameras(date_folder / "calib_cam_to_cam.txt");
   const CameraRig rig(cameras, "P_rect_0");
@@ -236,7 +231,6 @@ Sequence ReadKittiRaw(const SequenceRequest& request) {
   AddTimes(times_file, ReadDateTimes(times_file), sequence);
   AddRawTruth(request, date_folder, cameras, sequence);
   AddBoxes(request, {.file = {}, .camera = 2}, rig, pair.left, sequence);
-  return sequence;
 }
 
 // Returns "tracking_0005", or "tracking_testing_0005" for the test set, which uses the same
@@ -288,11 +282,9 @@ bool KnowsTracking(const fs::path& folder) {
                                        fs::exists(set_folder / "calib" / (number + ".txt")));
 }
 
-Sequence ReadKittiTracking(const SequenceRequest& request) {
-  RequireDevkitTruth(request, "KITTI tracking has no timestamps to interpolate at");
+void ReadKittiTracking(const SequenceRequest& request, Sequence& sequence) {
   const std::string number = request.folder.filename().string();
   const fs::path set_folder = SetFolder(request.folder);
-  Sequence sequence;
   sequence.folder = set_folder / number;
   sequence.name = SequenceName(set_folder, number);
   const CameraPair pair = ChoosePair(request, {{"colour", 2, 3, set_folder / "image_02" / number,
@@ -313,23 +305,20 @@ Sequence ReadKittiTracking(const SequenceRequest& request) {
     labels.file.clear();
   }
   AddBoxes(request, labels, rig, pair.left, sequence);
-  return sequence;
 }
 
 }  // namespace
 
 SequenceLayout KittiOdometryLayout() {
-  return {kKittiOdometry, "image_0, times.txt", KnowsOdometry, OdometryHasImages,
-          ReadKittiOdometry};
+  return {kKittiOdometry, KnowsOdometry, OdometryHasImages, ReadKittiOdometry,
+          "KITTI odometry comes with one set of poses"};
 }
 
-SequenceLayout KittiRawLayout() {
-  return {"kitti-raw", "image_00/data, oxts", KnowsRaw, RawHasImages, ReadKittiRaw};
-}
+SequenceLayout KittiRawLayout() { return {"kitti-raw", KnowsRaw, RawHasImages, ReadKittiRaw}; }
 
 SequenceLayout KittiTrackingLayout() {
-  return {"kitti-tracking", "<training>/<number>", KnowsTracking, TrackingHasImages,
-          ReadKittiTracking};
+  return {"kitti-tracking", KnowsTracking, TrackingHasImages, ReadKittiTracking,
+          "KITTI tracking has no timestamps to interpolate at"};
 }
 
 }  // namespace cvo

@@ -13,8 +13,8 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text_file.h"
-#include "experiments/calibration/rig_file.h"
 #include "experiments/datasets/body_truth.h"
+#include "experiments/datasets/calibration/rig_file.h"
 #include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/datasets/sequence_parts.h"
@@ -200,27 +200,25 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
   AddCameraTruth(apparatus, apparatus_from_left, "Vicon starts later or ends earlier", sequence);
 }
 
-Sequence ReadMultimotion(const SequenceRequest& request) {
-  RequireDevkitTruth(request, "Multimotion comes with one set of poses");
+void ReadMultimotion(const SequenceRequest& request, Sequence& sequence) {
   const auto settings = LayoutSettings<Settings>(request);
-  Sequence sequence;
-  sequence.folder = request.folder;
-  sequence.name = request.folder.filename().string();
   AddPair(request, "colour", CheckedImages(ReadImages(request.folder / "stereo", sequence)),
           sequence);
   const fs::path calibration = FindCalibration(request.folder, settings.calibration, "kalibr");
   AddRig(ReadKalibrRig(calibration, settings.left, settings.right), calibration, sequence);
   AddTruth(settings, sequence);
   AddBoxes(request, sequence);
-  return sequence;
 }
 
 }  // namespace
 
 SequenceLayout OxfordMultimotionLayout() {
-  return {"oxford-multimotion", "stereo/stereo.csv, vicon.csv",
-          KnowsMultimotion,     MultimotionHasImages,
-          ReadMultimotion,      ToJson(Settings())};
+  return {"oxford-multimotion",
+          KnowsMultimotion,
+          MultimotionHasImages,
+          ReadMultimotion,
+          "Multimotion comes with one set of poses",
+          ToJson(Settings())};
 }
 
 }  // namespace cvo

@@ -289,12 +289,8 @@ void AddMasks(const fs::path& folder, Sequence& sequence) {
   };
 }
 
-Sequence ReadVirtualKitti(const SequenceRequest& request) {
-  RequireDevkitTruth(request, "Virtual KITTI has no other");
-  Sequence sequence;
-  sequence.folder = request.folder;
-  sequence.name =
-      request.folder.parent_path().filename().string() + "_" + request.folder.filename().string();
+void ReadVirtualKitti(const SequenceRequest& request, Sequence& sequence) {
+  sequence.name.insert(0, request.folder.parent_path().filename().string() + "_");
   const fs::path images = request.folder / "frames/rgb";
   AddPair(request, "colour",
           ListStereoImages(images / "Camera_0", images / "Camera_1", {"rgb_", ".jpg"}), sequence);
@@ -313,15 +309,17 @@ Sequence ReadVirtualKitti(const SequenceRequest& request) {
   }
   AddCameraTruth(std::move(poses), sequence);
   AddBoxes(request, sequence);
-  return sequence;
 }
 
 }  // namespace
 
 SequenceLayout VirtualKittiLayout() {
-  return {"virtual-kitti",   "frames/rgb/Camera_0, extrinsic.txt",
-          KnowsVirtualKitti, VirtualKittiHasImages,
-          ReadVirtualKitti,  ToJson(Settings())};
+  return {"virtual-kitti",
+          KnowsVirtualKitti,
+          VirtualKittiHasImages,
+          ReadVirtualKitti,
+          "Virtual KITTI has no other",
+          ToJson(Settings())};
 }
 
 }  // namespace cvo

@@ -15,18 +15,6 @@ namespace cvo {
 
 namespace {
 
-void CheckBody(const ObjectTruth& truth, const TruthBody& body) {
-  if (body.frames.size() != truth.frame_count()) {
-    ThrowError(StrCat("truth of body ", body.id), StrCat(body.frames.size(), " frames"),
-               StrCat(truth.frame_count(), ", as many as timestamps"));
-  }
-  for (std::size_t k = 0; k < body.frames.size(); ++k) {
-    if (!body.frames[k] || body.frames[k]->world_from_object.Matrix().allFinite()) continue;
-    ThrowError(StrCat("truth of body ", body.id, ", frame ", k), "a pose that is not finite",
-               "finite numbers");
-  }
-}
-
 // Whether the point was more than kMovedPoint_m away from p_in_world in one of the frames [begin,
 // end).
 bool HasMoved(const TruthBody& body, int begin, int end, const Eigen::Vector3d& p_in_object,
@@ -62,18 +50,13 @@ double FarthestApart_m(const std::vector<std::optional<BodyFrame>>& frames) {
 }
 
 void FinishTruth(ObjectTruth& truth) {
-  if (truth.world_from_camera.size() != truth.frame_count()) {
-    ThrowError("truth of the camera", StrCat(truth.world_from_camera.size(), " frames"),
-               StrCat(truth.frame_count(), ", as many as timestamps"));
-  }
+  Require(truth.world_from_camera.size() == truth.frame_count(),
+          "FinishTruth: as many poses of the camera as timestamps");
   int last = 0;
   for (TruthBody& body : truth.bodies) {
-    if (body.id <= last) {
-      ThrowError("truth of the bodies", StrCat("body ", body.id, " after body ", last),
-                 "ids that increase from 1 on");
-    }
+    Require(body.id > last, "FinishTruth: ids that increase from 1 on");
+    Require(body.frames.size() == truth.frame_count(), "FinishTruth: a body in all frames");
     last = body.id;
-    CheckBody(truth, body);
     body.travel_m = FarthestApart_m(body.frames);
     body.mover = body.travel_m > truth.mover_travel_m;
   }
@@ -111,45 +94,20 @@ PointMotion MotionOfPoint(const ObjectTruth& truth, const TruthBody& body, int f
   return PointMotion::kStill;
 }
 
-namespace {
-
-void CheckLength(const char* what, std::size_t found, std::size_t expected) {
-  if (found == expected) return;
-  ThrowError(StrCat("estimate of the ", what), StrCat(found, " frames"),
-             StrCat(expected, ", as many as the truth"));
-}
-
-void CheckCluster(const ClusterEstimate& cluster, std::size_t frame_count) {
-  int last = -1;
-  for (const ClusterFrame& frame : cluster.frames) {
-    const std::string where = StrCat("cluster ", cluster.id, ", frame ", frame.frame);
-    if (frame.frame <= last || static_cast<std::size_t>(frame.frame) >= frame_count) {
-      ThrowError(where, StrCat("a frame after ", last),
-                 StrCat("increasing frames below ", frame_count));
-    }
-    last = frame.frame;
-    const bool finite_velocity = !frame.velocity_m_s || frame.velocity_m_s->allFinite();
-    if (!frame.world_from_object.Matrix().allFinite() || !finite_velocity ||
-        !frame.point_in_object.allFinite()) {
-      ThrowError(where, "a pose, velocity or point that is not finite", "finite numbers");
-    }
-  }
-}
-
-}  // namespace
-
 void CheckEstimate(const ObjectTruth& truth, const ObjectEstimate& estimate) {
-  CheckLength("camera", estimate.world_from_camera.size(), truth.frame_count());
-  CheckLength("landmarks", estimate.landmarks.size(), truth.frame_count());
-  const std::int64_t lowest = estimate.match_by == MatchBy::kLandmarks ? 1 : 0;
-  std::int64_t last = lowest - 1;
+  Require(estimate.world_from_camera.size() == truth.frame_count() &&
+              estimate.landmarks.size() == truth.frame_count(),
+          "CheckEstimate: as many frames as the truth");
+  std::int64_t last = estimate.match_by == MatchBy::kLandmarks ? 0 : -1;
   for (const ClusterEstimate& cluster : estimate.clusters) {
-    if (cluster.id <= last) {
-      ThrowError("estimated clusters", StrCat("cluster ", cluster.id, " after cluster ", last),
-                 StrCat("ids that increase from ", lowest, " on"));
-    }
+    Require(cluster.id > last, "CheckEstimate: ids of clusters that increase");
     last = cluster.id;
-    CheckCluster(cluster, truth.frame_count());
+    int frame = -1;
+    for (const ClusterFrame& at : cluster.frames) {
+      Require(at.frame > frame && static_cast<std::size_t>(at.frame) < truth.frame_count(),
+              "CheckEstimate: frames of a cluster that increase");
+      frame = at.frame;
+    }
   }
 }
 

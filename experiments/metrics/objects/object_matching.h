@@ -56,9 +56,8 @@ const TruthBody* FindBody(const ObjectTruth& truth, int id);
 // of labels: within 100 frames, a parked car would travel metres.
 double FarthestApart_m(const std::vector<std::optional<BodyFrame>>& frames);
 
-// Sets travel_m and mover of every body. Throws Error if the number of frames of the camera or a
-// body differs from that of the timestamps, ids do not increase from 1 on, or a body's pose is not
-// finite.
+// Sets travel_m and mover of every body. Requires as many frames of the camera and each body as
+// timestamps, and ids that increase from 1 on.
 void FinishTruth(ObjectTruth& truth);
 
 // Velocity, in world, of a point of the body, from differences of its positions, m/s: central if
@@ -136,8 +135,7 @@ inline bool Counts(const ClusterFrame& frame) {
          frame.observed_landmarks.value_or(kMinObservedLandmarks) >= kMinObservedLandmarks;
 }
 
-// Throws Error if lengths differ from those of the truth, ids or frames do not increase or are out
-// of range, or a pose, velocity or point is not finite.
+// Requires as many frames as the truth has, and ids and frames that increase.
 void CheckEstimate(const ObjectTruth& truth, const ObjectEstimate& estimate);
 
 // A body and the cluster that it is scored with.

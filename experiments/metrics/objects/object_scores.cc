@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/camera_metrics.h"
+#include "experiments/metrics/trajectory.h"
 
 namespace cvo {
 

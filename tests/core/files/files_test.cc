@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/mount.h>
@@ -10,11 +11,15 @@
 #include <csignal>
 #include <cstring>
 #include <functional>
+#include <opencv2/core.hpp>
+#include <string>
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
+#include "core/files/images/image_file.h"
 #include "core/files/text_file.h"
 #include "tests/support/error_message.h"
+#include "tests/support/image_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::files_test {
@@ -33,15 +38,6 @@ std::vector<std::string> Names(const fs::path& folder) {
   }
   std::sort(names.begin(), names.end());
   return names;
-}
-
-std::string Problem(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // While this object exists, writing a file beyond the limit fails with EFBIG, as it does with
@@ -111,7 +107,7 @@ TEST(StagedFile, ConcatenatesAnyNumberOfParts) {
 TEST(WriteFilesAtomically, AFailedWriteChangesNothing) {
   const test::TempFolder folder;
   folder.Write("a.json", "old");
-  const std::string problem = Problem([&] {
+  const std::string problem = ErrorMessage([&] {
     const FileSizeLimit limit(1000);
     WriteFilesAtomically(folder.path(), {{"a.json", "new"}, {"b.txt", std::string(5000, 'x')}});
   });
@@ -128,7 +124,7 @@ TEST(WriteFilesAtomically, DiskFull) {
   if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=64k") != 0) {
     GTEST_SKIP() << "cannot mount a small disk: " << std::strerror(errno);
   }
-  const std::string problem = Problem([&] {
+  const std::string problem = ErrorMessage([&] {
     WriteFilesAtomically(disk, {{"a.json", "short"}, {"b.txt", std::string(200'000, 'x')}});
   });
   const std::vector<std::string> names = Names(disk);
@@ -137,18 +133,10 @@ TEST(WriteFilesAtomically, DiskFull) {
   EXPECT_THAT(names, IsEmpty());
 }
 
-TEST(WriteFilesAtomically, MissingFolder) {
-  const test::TempFolder folder;
-  const std::string problem = Problem([&] {
-    WriteFilesAtomically(folder.path() / "none", {{"a.json", "new"}});
-  });
-  EXPECT_THAT(problem, AllOf(HasSubstr("none/a.json"), HasSubstr(std::strerror(ENOENT))));
-}
-
 TEST(WriteFilesAtomically, FolderInsteadOfAFile) {
   const test::TempFolder folder;
   fs::create_directory(folder.path() / "a.json");
-  EXPECT_THAT(Problem([&] {
+  EXPECT_THAT(ErrorMessage([&] {
                 WriteFilesAtomically(folder.path(), {{"a.json", "new"}});
               }),
               HasSubstr("a.json"));
@@ -186,21 +174,25 @@ TEST(OutputFolder, IsRemovedIfEmpty) {
 TEST(OutputFolder, NamesTheObstacle) {
   const test::TempFolder folder;
   folder.Write("file", "");
-  EXPECT_THAT(Problem([&] { const OutputFolder output(folder.path() / "file", {"a.json"}); }),
+  EXPECT_THAT(ErrorMessage([&] { const OutputFolder output(folder.path() / "file", {"a.json"}); }),
               HasSubstr("file"));
-  EXPECT_THAT(Problem([&] { const OutputFolder output(folder.path() / "file/out", {"a.json"}); }),
-              HasSubstr("file"));
+  EXPECT_THAT(
+      ErrorMessage([&] { const OutputFolder output(folder.path() / "file/out", {"a.json"}); }),
+      HasSubstr("file"));
   fs::create_directories(folder.path() / "out" / "a.json");
-  EXPECT_THAT(Problem([&] { const OutputFolder output(folder.path() / "out", {"a.json"}); }),
+  EXPECT_THAT(ErrorMessage([&] { const OutputFolder output(folder.path() / "out", {"a.json"}); }),
               AllOf(HasSubstr("a.json"), HasSubstr("found a folder")));
-  EXPECT_THAT(Problem([&] {
+  EXPECT_THAT(ErrorMessage([&] {
                 const OutputFolder output(folder.path(), {"a.json", "file/"});
               }),
               AllOf(HasSubstr("file"), HasSubstr("expected a folder or nothing")));
-  EXPECT_EQ(Problem([&] { const OutputFolder output(folder.path(), {"a.json", "out/"}); }), "");
-  EXPECT_THAT(Problem([] { const OutputFolder output("/proc/none", {"a.json"}); }),
+  EXPECT_EQ(ErrorMessage([&] {
+              const OutputFolder output(folder.path(), {"a.json", "out/"});
+            }),
+            "");
+  EXPECT_THAT(ErrorMessage([] { const OutputFolder output("/proc/none", {"a.json"}); }),
               HasSubstr("/proc/none"));
-  EXPECT_NE(Problem([&] {
+  EXPECT_NE(ErrorMessage([&] {
               const FileSizeLimit limit(100);
               const OutputFolder output(folder.path() / "full", {"a.json"});
             }),
@@ -228,11 +220,6 @@ TEST(Temporary, OldOnesAreLeftovers) {
   EXPECT_FALSE(fs::exists(recent));
   EXPECT_TRUE(fs::exists(other));
   RemoveLeftovers(temp.path() / "none");
-}
-
-TEST(Temporary, NamesDiffer) {
-  EXPECT_NE(TemporaryName("folder/a"), TemporaryName("folder/a"));
-  EXPECT_EQ(TemporaryName("folder/a").parent_path(), "folder");
 }
 
 class CsvFileTest : public testing::Test {
@@ -290,3 +277,41 @@ TEST_F(CsvFileTest, ErrorsOfNonNumericCellsNameTheColumn) {
 
 }  // namespace
 }  // namespace cvo::files_test
+
+namespace cvo {
+
+namespace {
+
+using testing::HasSubstr;
+
+cv::Mat Gradient(int type) {
+  cv::Mat image(32, 48, type);
+  for (int v = 0; v < image.rows; ++v) {
+    for (int u = 0; u < image.cols; ++u) image.row(v).col(u) = cv::Scalar::all(5 * u + v);
+  }
+  return image;
+}
+
+TEST(ImageFile, LosslessFormatsGiveBackTheImage) {
+  const test::TempFolder folder;
+  for (const int type : {CV_8UC1, CV_8UC3, CV_8UC4, CV_16UC1}) {
+    const cv::Mat image = Gradient(type);
+    test::WriteImageFile(folder.path() / "a.png", image);
+    const cv::Mat read = ReadImageFile(folder.path() / "a.png", cv::IMREAD_UNCHANGED);
+    ASSERT_EQ(read.type(), type);
+    EXPECT_EQ(cv::norm(read, image, cv::NORM_INF), 0.0);
+  }
+}
+
+TEST(ImageFile, BytesThatAreNoImageGiveAnEmptyOne) {
+  EXPECT_TRUE(DecodeImage("", cv::IMREAD_COLOR).empty());
+  EXPECT_TRUE(DecodeImage("no image", cv::IMREAD_COLOR).empty());
+  EXPECT_THAT(ErrorMessage([] { ReadImageFile("/no/such.png", cv::IMREAD_COLOR); }),
+              HasSubstr("/no/such.png"));
+  EXPECT_THAT(ErrorMessage([] { EncodeImage(".none", cv::Mat(4, 4, CV_8UC1)); }),
+              HasSubstr("an image to write as .none"));
+}
+
+}  // namespace
+
+}  // namespace cvo

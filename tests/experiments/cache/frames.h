@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cache/front_end_cache.h"
+#include "experiments/runner/front_end_cache.h"
 
 namespace cvo::test {
 

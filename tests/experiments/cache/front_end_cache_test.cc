@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Front-end output on disk: it reads back bit by bit, damage is detected, and the folder has a size
 // limit, may be used by several processes, and may fail.
-#include "experiments/cache/front_end_cache.h"
+#include "experiments/runner/front_end_cache.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
-#include "experiments/cache/file_hashes.h"
+#include "experiments/runner/file_hashes.h"
 #include "tests/experiments/cache/disk.h"
 #include "tests/experiments/cache/frames.h"
 #include "tests/support/temp_folder.h"

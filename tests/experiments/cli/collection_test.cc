@@ -17,14 +17,17 @@ namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
+using test::ExpectError;
 using test::ProcessResult;
+using test::With;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-class CollectionTest : public testing::Test {
+class CollectionTest : public test::CommandTest {
  protected:
-  CollectionTest() { test::WriteTinySequence(folder_.path() / "data" / "wall", 4); }
+  CollectionTest() { test::WriteTinySequence(Path("data/wall"), 4); }
 
   void WriteSuite(const std::string& name, const std::string& sequences,
                   const std::string& more = "") const {
@@ -33,21 +36,15 @@ class CollectionTest : public testing::Test {
                          R"(], "variants": ["static"], "seeds": 1, )", more, R"("table": )",
                          R"({"rows": ["sequence"], "metrics": ["camera_ate"]}})"));
   }
-  ProcessResult Run(const std::string& sections, const std::vector<std::string>& more = {},
-                    const std::string& command = "run") const {
+  ProcessResult RunAll(const std::string& sections, const Arguments& more = {},
+                       const std::string& command = "run") const {
     const fs::path file = folder_.Write(
         "all.json",
         StrCat(R"({"name": "all", "about": "Of tests", "sections": [)", sections, "]}"));
-    std::vector<std::string> all = {"experiment", command, file.string(), "-o", out().string()};
-    all.insert(all.end(), more.begin(), more.end());
-    return test::RunProgram(
-        all, {.environment = {StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string()),
-                              StrCat("CLUSTERVO_DATA=", (folder_.path() / "data").string())}});
+    return Run(With({"experiment", command, file.string(), "-o", out().string()}, more));
   }
   fs::path out() const { return folder_.path() / "out"; }
   std::string Page() const { return test::ReadFile(out() / "index.html"); }
-
-  test::TempFolder folder_;
 };
 
 TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
@@ -61,7 +58,7 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
          {"title": "Table 3: nowhere", "suite": "nowhere.json", "data": "example.org/nowhere",
           "figures": [{"suite": "here.json", "sequence": "wall", "variants": "static",
                        "frames": [1, 9]}]})";
-  const ProcessResult run = Run(sections, {"--frames", "0:3"});
+  const ProcessResult run = RunAll(sections, {"--frames", "0:3"});
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   const std::string page = Page();
   for (const char* text :
@@ -73,22 +70,19 @@ TEST_F(CollectionTest, RunsItsSuitesAndShowsThemOnOnePage) {
     EXPECT_THAT(page, HasSubstr(text));
   }
   EXPECT_TRUE(fs::exists(out() / "here" / "report" / "index.html"));
-  for (const std::vector<std::string>& command :
-       std::vector<std::vector<std::string>>{{"experiment", "status"},
-                                             {"experiment", "table"},
-                                             {"experiment", "table", "--times"},
-                                             {"experiment", "compare", out().string()},
-                                             {"plot", "-o", "figures"},
-                                             {"report"}}) {
-    std::vector<std::string> of_all = command;
-    of_all.push_back(out().string());
-    test::ExpectError(test::RunProgram(of_all, {}),
-                      out().string() +
-                          ": found the folder of a collection of suites, expected "
-                          "that of a suite in it: here, nowhere");
+  for (const Arguments& command : std::vector<Arguments>{{"experiment", "status"},
+                                                         {"experiment", "table"},
+                                                         {"experiment", "table", "--times"},
+                                                         {"experiment", "compare", out().string()},
+                                                         {"plot", "-o", "figures"},
+                                                         {"report"}}) {
+    ExpectError(Run(With(command, {out().string()})),
+                out().string() +
+                    ": found the folder of a collection of suites, expected "
+                    "that of a suite in it: here, nowhere");
   }
   // A second call runs no job again and writes the same page.
-  const ProcessResult again = Run(sections, {"--frames", "0:3"});
+  const ProcessResult again = RunAll(sections, {"--frames", "0:3"});
   EXPECT_THAT(again.err, Not(HasSubstr("100 %  1/1 jobs")));
   EXPECT_EQ(Page(), page);
 }
@@ -98,7 +92,7 @@ TEST_F(CollectionTest, ATimedSuiteShowsItsTimes) {
   const std::string sections = R"({"title": "Speed", "suite": "timed.json", "times": true},
       {"title": "All", "columns": ["system", "frames/s"], "rows": [],
        "measured": {"static": ["ours"]}})";
-  const ProcessResult run = Run(sections, {"-j", "2"});
+  const ProcessResult run = RunAll(sections, {"-j", "2"});
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   EXPECT_THAT(run.err, HasSubstr("timed: one job at a time, because the suite measures times"));
   EXPECT_THAT(Page(), AllOf(HasSubstr("<th>frames/s</th>"), HasSubstr("<td>static</td><td>1</td>"),
@@ -109,14 +103,13 @@ TEST_F(CollectionTest, ATimedSuiteShowsItsTimes) {
   EXPECT_THAT(times.out,
               AllOf(HasSubstr("clusters per frame"), HasSubstr("features [ms]"),
                     HasSubstr("wall    none        static   1     0.0"), HasSubstr("machine: ")));
-  test::ExpectError(
-      test::RunProgram({"experiment", "table", folder_.path().string(), "--times"}, {}),
-      "plan.json");
+  ExpectError(test::RunProgram({"experiment", "table", folder_.path().string(), "--times"}, {}),
+              "plan.json");
 }
 
 TEST_F(CollectionTest, PlanListsTheRunsAndMissingDataOfEachSection) {
   WriteSuite("here", R"({"folder": "wall"}, {"folder": "absent"})");
-  const ProcessResult plan = Run(
+  const ProcessResult plan = RunAll(
       R"({"title": "Table 1", "columns": ["a"], "rows": []},
          {"title": "Table 2", "suite": "here.json", "data": "example.org/here"},
          {"title": "Table 3", "suite": "here.json", "data": "example.org/more"})",
@@ -131,15 +124,16 @@ TEST_F(CollectionTest, PlanListsTheRunsAndMissingDataOfEachSection) {
 }
 
 TEST_F(CollectionTest, ReportsErrorsInTheFile) {
-  test::ExpectError(Run(""), "all.json, sections: found none");
-  test::ExpectError(Run(R"({"title": "t", "colums": []})"), "sections.0.colums");
-  test::ExpectError(Run(R"({"title": "t", "columns": ["a", "b"], "rows": [["1"]]})"),
-                    "sections.0.rows: found 1 cells, expected 2, one per column");
-  test::ExpectError(Run(R"({"title": "t", "suite": "ablatoin"})"), "did you mean ablation");
+  ExpectError(RunAll(""), "all.json, sections: found none");
+  ExpectError(RunAll(R"({"title": "t", "colums": []})"), "sections.0.colums");
+  ExpectError(RunAll(R"({"title": "t", "columns": ["a", "b"], "rows": [["1"]]})"),
+              "sections.0.rows: found 1 cells, expected 2, one per column");
+  ExpectError(RunAll(R"({"title": "t", "suite": "ablatoin"})"), "did you mean ablation");
 }
 
 TEST(Collections, SuitesAndFiguresOfShippedCollectionsExist) {
-  for (const std::string& name : CollectionNames()) {
+  for (const ShippedSuite& shipped : ShippedCollections()) {
+    const std::string name(shipped.name);
     const std::optional<Collection> collection = FindCollection(name);
     ASSERT_TRUE(collection.has_value());
     EXPECT_EQ(collection->name, name);

@@ -12,7 +12,6 @@
 #include "core/files/text_file.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/experiments/yolo/tiny_network.h"
 #include "tests/support/real_data.h"
 #include "tests/support/temp_folder.h"
 
@@ -20,7 +19,8 @@ namespace cvo::documents_test {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using Words = test::Arguments;
+using test::ExpectError;
 using test::ProcessResult;
 using test::RunProgram;
 using testing::HasSubstr;
@@ -168,58 +168,19 @@ TEST(Documents, SuitesCanBePlanned) {
   EXPECT_GT(suites, 0);
 }
 
-// Expects in `text` every command and flag in the help of `command` and of the commands below it.
-void CheckHelpIsIn(const std::string& text, const Words& command, const std::string& dashes) {
-  Words help = command;
-  help.emplace_back("--help");
-  std::istringstream lines(RunProgram(help).out);
-  const std::regex flag("^  (?:-.,)?--([a-z-]+).*");
-  const std::regex below("^  ([a-z]+) {2,}.*");
-  bool commands = false;
-  for (std::string line; std::getline(lines, line);) {
-    std::smatch match;
-    if (std::regex_match(line, match, flag)) {
-      EXPECT_THAT(text, HasSubstr(dashes + match[1].str())) << help[0];
-    } else if (line == "Subcommands:") {
-      commands = true;
-    } else if (commands && std::regex_match(line, match, below)) {
-      EXPECT_THAT(text, HasSubstr(match[1].str()));
-      Words next = command;
-      next.push_back(match[1]);
-      CheckHelpIsIn(text, next, dashes);
-    } else if (line.empty() && commands) {
-      return;
-    }
-  }
-}
-
-TEST(Manual, HasEveryCommandAndFlag) {
-  for (const char* shell : {"bash", "zsh"}) {
-    CheckHelpIsIn(RunProgram({"manual", shell}).out, {}, "--");
-  }
-  const auto fish = RunProgram({"manual", "fish"});
-  EXPECT_THAT(fish.out, HasSubstr("'__clustervo_is_at clustervo explain' -l oracles -d '"));
-  const auto man = RunProgram({"manual", "man"});
-  EXPECT_THAT(man.out, HasSubstr(".SS clustervo experiment run\n"));
-  EXPECT_THAT(man.out, HasSubstr("\\-\\-oracles"));
-}
-
 // Suites whose boxes are found by a network before the runs.
 
 constexpr char kTinyNetwork[] = R"({"model": "tiny.cfg", "names": "two.names", "min_score": 0.3})";
 
-class DetectorSuite : public testing::Test {
+class DetectorSuite : public test::CommandTest {
  protected:
-  ProcessResult Run(const std::string& sequences, const std::string& variants,
-                    const fs::path& data) const {
+  ProcessResult RunSuite(const std::string& sequences, const std::string& variants,
+                         const fs::path& data) const {
     const fs::path suite = folder_.Write(
         "suite.json", StrCat(R"({"name": "found", "sequences": [)", sequences, R"(], "variants": )",
                              variants, R"(, "seeds": 1, "table": {"rows": ["variant", )",
                              R"("detections"], "metrics": ["camera_ate"]}})"));
-    return test::RunProgram(
-        {"experiment", "run", suite.string(), "-o", (folder_.path() / "out").string(), "-j", "1"},
-        {.environment = {StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string()),
-                         StrCat("CLUSTERVO_DATA=", data.string())}});
+    return Run({"experiment", "run", suite.string(), "-o", Path("out"), "-j", "1", "--data", data});
   }
   std::vector<fs::path> Boxes() const {
     std::vector<fs::path> files;
@@ -229,8 +190,6 @@ class DetectorSuite : public testing::Test {
     return files;
   }
   Json Jobs() const { return ReadJson(folder_.path() / "out" / "plan.json")["jobs"]; }
-
-  test::TempFolder folder_;
 };
 
 // The network runs once for all jobs, and its boxes are kept. Other settings give other boxes.
@@ -239,7 +198,7 @@ TEST_F(DetectorSuite, BoxesAreFoundOnceAndKept) {
   test::WriteTinyNetwork(folder_);
   folder_.Write("two.names", "person\ncar\n");
   const std::string sequence = StrCat(R"({"folder": "wall", "detections": )", kTinyNetwork, "}");
-  const ProcessResult run = Run(sequence, R"(["static"])", folder_.path());
+  const ProcessResult run = RunSuite(sequence, R"(["static"])", folder_.path());
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("finding boxes in 1 sequence\n"));
   ASSERT_EQ(Boxes().size(), 1U);
@@ -248,7 +207,7 @@ TEST_F(DetectorSuite, BoxesAreFoundOnceAndKept) {
   EXPECT_EQ(test::LineCount(rows), 4U);
   EXPECT_EQ(Jobs()[0]["detections"], "tiny");
 
-  const ProcessResult more = Run(sequence, R"(["static", "full"])", folder_.path());
+  const ProcessResult more = RunSuite(sequence, R"(["static", "full"])", folder_.path());
   EXPECT_THAT(more.err, Not(HasSubstr("finding boxes")));
   EXPECT_EQ(more.out, "found: 2 jobs: 2 done\n") << more.err;
   const Json result =
@@ -258,16 +217,17 @@ TEST_F(DetectorSuite, BoxesAreFoundOnceAndKept) {
   // Boxes that do not match their checksum, or have none, are not used.
   const fs::path checksum = Boxes()[0].string() + ".sha256";
   WriteFileBytes(Boxes()[0], rows.substr(0, rows.find('\n') + 1));
-  const ProcessResult damaged = Run(sequence, R"(["static"])", folder_.path());
+  const ProcessResult damaged = RunSuite(sequence, R"(["static"])", folder_.path());
   EXPECT_THAT(damaged.err, HasSubstr("cached boxes are damaged and will be found again"));
   EXPECT_EQ(test::ReadFile(Boxes()[0]), rows);
   fs::remove(checksum);
-  EXPECT_THAT(Run(sequence, R"(["static"])", folder_.path()).err, HasSubstr("finding boxes in 1"));
+  EXPECT_THAT(RunSuite(sequence, R"(["static"])", folder_.path()).err,
+              HasSubstr("finding boxes in 1"));
   EXPECT_TRUE(fs::exists(checksum));
 
   std::string stricter = sequence;
   stricter.replace(stricter.find("0.3"), 3, "0.99");
-  EXPECT_EQ(Run(stricter, R"(["static"])", folder_.path()).exit_code, 0);
+  EXPECT_EQ(RunSuite(stricter, R"(["static"])", folder_.path()).exit_code, 0);
   EXPECT_EQ(Boxes().size(), 2U);
 }
 
@@ -277,24 +237,24 @@ TEST_F(DetectorSuite, ReportsMissingAndInvalidNetworks) {
   const std::string sequence = StrCat(R"({"folder": "wall", "detections": )", kTinyNetwork, "}");
   const std::string both = sequence + R"(, {"folder": "wall"})";
   // A missing network is missing input, not a failure; an invalid one is a failure.
-  const ProcessResult missing = Run(both, R"(["static"])", folder_.path());
+  const ProcessResult missing = RunSuite(both, R"(["static"])", folder_.path());
   EXPECT_EQ(missing.exit_code, 0);
   EXPECT_THAT(missing.out, HasSubstr("missing input: wall: no file two.names below"));
   folder_.Write("two.names", "person\n");
-  const ProcessResult wrong = Run(both, R"(["static"])", folder_.path());
+  const ProcessResult wrong = RunSuite(both, R"(["static"])", folder_.path());
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_THAT(wrong.out, HasSubstr("its boxes were not found"));
   EXPECT_THAT(wrong.out, HasSubstr("found 2 classes, expected 1, as many as names"));
-  test::ExpectError(Run(R"({"folder": "wall", "detections": {"model": "tiny.cfg"}})",
-                        R"(["static"])", folder_.path()),
-                    "sequences.0.detections.names");
+  ExpectError(RunSuite(R"({"folder": "wall", "detections": {"model": "tiny.cfg"}})",
+                       R"(["static"])", folder_.path()),
+              "sequences.0.detections.names");
 }
 
 TEST_F(DetectorSuite, RunsARealNetworkOnARealDrive) {
   const auto data = test::RealData();
   const fs::path network = "detectors/yolo-fastest-1.1-xl";
   if (!data || !fs::exists(*data / network)) GTEST_SKIP() << "CLUSTERVO_DATA has no detectors";
-  const ProcessResult run = Run(
+  const ProcessResult run = RunSuite(
       StrCat(R"({"folder": "2011_09_26_drive_0013_sync", "frames": "10:13", "detections": {)",
              R"("model": ")", (network / "yolo-fastest-1.1-xl.cfg").string(), R"(", "names": ")",
              (network / "coco.names").string(), R"(", "input": "960x320"}})"),

@@ -14,20 +14,22 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
-#include "experiments/jobs/engine.h"
-#include "experiments/jobs/job_status.h"
+#include "experiments/suite/engine.h"
+#include "experiments/suite/job_status.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/jobs/slurm/slurm_cluster.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/experiments/suite/examples.h"
+#include "tests/experiments/suite/slurm_cluster.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::test::experiment_test {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
 using test::ProcessResult;
 using test::RunProgram;
+using test::With;
 using testing::AllOf;
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -35,15 +37,15 @@ using testing::StartsWith;
 
 // `clustervo experiment run`, `status` and `job` as processes, on images drawn by the test.
 
-class CliExperiment : public testing::Test {
+class CliExperiment : public test::CommandTest {
  protected:
   CliExperiment() {
     test::WriteTinySequence(data() / "wall", 6);
     WriteSuite("{\"folder\": \"wall\"}", "1");
   }
 
-  fs::path data() const { return folder_.path() / "data"; }
-  fs::path out() const { return folder_.path() / "out"; }
+  fs::path data() const { return Path("data"); }
+  fs::path out() const { return Path("out"); }
 
   void WriteSuite(const std::string& sequences, const std::string& seeds) const {
     folder_.Write("suite.json",
@@ -52,20 +54,12 @@ class CliExperiment : public testing::Test {
                          ", \"table\": {\"rows\": [\"variant\"], \"metrics\": [\"camera_ate\"], ",
                          "\"reference\": \"full\"}}"));
   }
-  ProcessResult Experiment(const std::vector<std::string>& arguments,
-                           test::ProcessSetup setup = {}) const {
-    std::vector<std::string> all = {"experiment"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    setup.environment = {StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string()),
-                         StrCat("CLUSTERVO_DATA=", data().string())};
-    return RunProgram(all, setup);
+  ProcessResult Experiment(const Arguments& arguments, const test::ProcessSetup& setup = {}) const {
+    return CommandTest::Run(With({"experiment"}, arguments), setup);
   }
-  ProcessResult Run(const std::vector<std::string>& more = {},
-                    const test::ProcessSetup& setup = {}) const {
-    std::vector<std::string> all = {
-        "run", (folder_.path() / "suite.json").string(), "-o", out().string(), "-j", "1"};
-    all.insert(all.end(), more.begin(), more.end());
-    return Experiment(all, setup);
+  ProcessResult Run(const Arguments& more = {}, const test::ProcessSetup& setup = {}) const {
+    return Experiment(With({"run", Path("suite.json"), "-o", out().string(), "-j", "1"}, more),
+                      setup);
   }
   Json Status() const {
     return ParseJson(Experiment({"status", out().string(), "--json"}).out, "status");
@@ -78,8 +72,6 @@ class CliExperiment : public testing::Test {
     std::sort(results.begin(), results.end());
     return results;
   }
-
-  test::TempFolder folder_;
 };
 
 TEST_F(CliExperiment, RunsOnlyUnfinishedJobs) {
@@ -163,10 +155,7 @@ TEST_F(CliExperiment, AJobRefusesFilesChangedSincePlanning) {
 TEST_F(CliExperiment, AdmitsOneRunnerAtATime) {
   fs::create_directory(out());
   const FolderLock lock(out() / "lock");
-  const ProcessResult run = Run();
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_THAT(run.err, HasSubstr(StrCat("in use by process ", ::getpid(), " on ")));
-  EXPECT_EQ(test::LineCount(run.err), 1U);
+  ExpectError(Run(), StrCat("in use by process ", ::getpid(), " on "), 1);
   EXPECT_FALSE(fs::exists(out() / "plan.json"));
 }
 
@@ -206,12 +195,12 @@ TEST_F(CliExperiment, LimitsFailJobsUntilTheyAreRaised) {
 }
 
 TEST_F(CliExperiment, BadInputGivesOneLine) {
-  const std::vector<std::vector<std::string>> bad = {{"--engine", "cloud"},
-                                                     {"-j", "0"},
-                                                     {"--time-limit", "-1"},
-                                                     {"--memory-limit", "nan"},
-                                                     {"--seeds", "0"}};
-  for (const std::vector<std::string>& flags : bad) {
+  const std::vector<Arguments> bad = {{"--engine", "cloud"},
+                                      {"-j", "0"},
+                                      {"--time-limit", "-1"},
+                                      {"--memory-limit", "nan"},
+                                      {"--seeds", "0"}};
+  for (const Arguments& flags : bad) {
     const ProcessResult run = Run(flags);
     EXPECT_EQ(run.exit_code, 2) << flags[0];
     EXPECT_EQ(test::LineCount(run.err), 1U) << run.err;
@@ -248,18 +237,11 @@ TEST_F(CliExperiment, AFolderThatBecomesReadOnlyLosesNothing) {
 
 // `clustervo list suites` and `experiment status SUITE` as processes.
 
-class CliExperimentPlan : public testing::Test {
+class CliExperimentPlan : public test::CommandTest {
  protected:
-  ProcessResult Plan(std::vector<std::string> more) const {
-    std::vector<std::string> arguments = {"experiment", "status", "-q", "-o",
-                                          (folder_.path() / "out").string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return RunProgram(arguments,
-                      {.environment = {"CLUSTERVO_CACHE=" + (folder_.path() / "cache").string(),
-                                       "CLUSTERVO_DATA=" + folder_.path().string()}});
+  ProcessResult Plan(const Arguments& more) const {
+    return Run(With({"experiment", "status", "-q", "-o", Path("out")}, more));
   }
-
-  test::TempFolder folder_;
 };
 
 TEST_F(CliExperimentPlan, ListsTheSuitesWithTheirSizes) {
@@ -270,7 +252,7 @@ TEST_F(CliExperimentPlan, ListsTheSuitesWithTheirSizes) {
 }
 
 TEST_F(CliExperimentPlan, ListsJobsAndMissingSequences) {
-  test::WriteTinySequence(folder_.path() / "07", 4);
+  test::WriteTinySequence(Path("data/07"), 4);
   Json json = test::FolderSuite("07");
   json["sequences"].push_back({{"folder", "08"}});
   const std::string suite = folder_.Write("s.json", json.dump()).string();
@@ -280,16 +262,15 @@ TEST_F(CliExperimentPlan, ListsJobsAndMissingSequences) {
   EXPECT_THAT(plan.out, HasSubstr("to run: 2\n  2 x new"));
   EXPECT_THAT(plan.out, HasSubstr("missing, left out: 2\n  2 x no 08 below"));
   EXPECT_THAT(plan.out, HasSubstr("estimated time: 1 s with 1 process"));
-  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "out"));
+  EXPECT_FALSE(fs::exists(Path("out")));
 }
 
 TEST_F(CliExperimentPlan, BadInputGivesOneLineAndAnExitCode) {
   const std::string file = folder_.Write("s.json", R"({"name": "s", "sedes": 3})").string();
-  for (const auto& arguments :
-       std::vector<std::vector<std::string>>{{"no_such_suite"},
-                                             {file},
-                                             {"ci", "--set", "window.spatail=3"},
-                                             {"ci", "--seeds", "0"}}) {
+  for (const auto& arguments : std::vector<Arguments>{{"no_such_suite"},
+                                                      {file},
+                                                      {"ci", "--set", "window.spatail=3"},
+                                                      {"ci", "--seeds", "0"}}) {
     const ProcessResult plan = Plan(arguments);
     EXPECT_EQ(plan.exit_code, 2) << plan.err;
     EXPECT_EQ(test::LineCount(plan.err), 1U) << plan.err;

@@ -14,23 +14,22 @@
 #include "core/base/error.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/experiments/yolo/tiny_network.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
 using test::ProcessResult;
 using testing::AllOf;
 using testing::HasSubstr;
-using Arguments = std::vector<std::string>;
 
 // Returns the names of the subcommands of a command, as listed in its help.
-std::vector<std::string> CommandsOf(Arguments command) {
+Arguments CommandsOf(Arguments command) {
   command.emplace_back("--help");
   std::istringstream help(test::RunProgram(command).out);
-  std::vector<std::string> names;
+  Arguments names;
   bool listed = false;
   for (std::string line; std::getline(help, line);) {
     if (listed && line.starts_with("  ") && line[2] != ' ') {
@@ -46,7 +45,7 @@ const std::vector<Arguments>& AllCommands() {
   static std::vector<Arguments> all;
   if (!all.empty()) return all;
   for (const std::string& name : CommandsOf({})) {
-    const std::vector<std::string> below = CommandsOf({name});
+    const Arguments below = CommandsOf({name});
     if (below.empty()) all.push_back({name});
     for (const std::string& last : below) all.push_back({name, last});
   }
@@ -247,7 +246,6 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
       {"plot", suite, "-o", Path("figures")},
       {"plot", run, "-o", Path("plot.svg")},
       {"experiment", "compare", run, run},
-      {"manual", "man"},
       {"explain", Path("scene_run")}};
   const ProcessResult rendered =
       Run({"synth", "render", "tiny", "-o", Path("scene"), "-q", "--frames", "0:2"});

@@ -4,62 +4,52 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 #include "core/files/images/image_file.h"
 #include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/support/temp_folder.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
+using test::ExpectError;
 using test::ProcessResult;
 using test::ReadFile;
 using test::RunProgram;
+using test::With;
 using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr int kFrames = 6;
 
-class CliOverlay : public testing::Test {
+class CliOverlay : public test::TinyTest {
  protected:
-  CliOverlay() { test::WriteTinySequence(tiny(), kFrames); }
+  CliOverlay() : TinyTest(kFrames) {}
 
-  fs::path tiny() const { return folder_.path() / "tiny"; }
-  fs::path run(const std::string& variant = "full") const { return folder_.path() / variant; }
-  fs::path out(const std::string& name = "out") const { return folder_.path() / name; }
+  fs::path tiny() const { return Path("tiny"); }
+  fs::path run(const std::string& variant = "full") const { return Path(variant); }
+  fs::path out(const std::string& name = "out") const { return Path(name); }
 
   // Makes a run with a detection in every frame, on what is really a wall.
-  void MakeRun(const std::string& variant = "full", const std::string& landmarks = "--landmarks") {
-    std::ofstream boxes(folder_.path() / "boxes.txt");
+  void MakeRun(const std::string& variant = "full", const Arguments& more = {"--landmarks"}) {
+    std::string boxes;
     for (int i = 0; i < kFrames; ++i) {
-      boxes << i << " -1 Car -1 -1 -10 60 30 160 100 -1 -1 -1 -1000 -1000 -1000 -10 0.9\n";
+      boxes += StrCat(i, " -1 Car -1 -1 -10 60 30 160 100 -1 -1 -1 -1000 -1000 -1000 -10 0.9\n");
     }
-    boxes.close();
-    std::vector<std::string> arguments = {
-        "run",       tiny().string(), "-o",           run(variant).string(),
-        "--variant", variant,         "--detections", (folder_.path() / "boxes.txt").string()};
-    if (!landmarks.empty()) arguments.push_back(landmarks);
-    const ProcessResult made = RunProgram(arguments);
+    folder_.Write("boxes.txt", boxes);
+    const ProcessResult made =
+        RunProgram(With({"run", tiny().string(), "-o", run(variant).string(), "--variant", variant,
+                         "--detections", Path("boxes.txt")},
+                        more));
     ASSERT_EQ(made.exit_code, 0) << made.err;
   }
-  ProcessResult Overlay(const std::vector<std::string>& arguments,
-                        const std::string& name = "out") const {
-    std::vector<std::string> all = {"overlay", "-o", out(name).string()};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return RunProgram(all);
+  ProcessResult Overlay(const Arguments& arguments, const std::string& name = "out") const {
+    return RunProgram(With({"overlay", "-o", out(name).string()}, arguments));
   }
-  static void ExpectError(const ProcessResult& result, const std::string& text, int exit_code = 1) {
-    EXPECT_EQ(result.exit_code, exit_code) << result.out;
-    EXPECT_THAT(result.err, AllOf(HasSubstr("clustervo: error: "), HasSubstr(text)));
-  }
-
-  test::TempFolder folder_;
 };
 
 TEST_F(CliOverlay, DrawsEveryFrameAndASheetReproducibly) {
@@ -110,20 +100,16 @@ TEST_F(CliOverlay, WritesOnlyAVideoAndReportsItsFormat) {
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
 }
 
-TEST_F(CliOverlay, ReportsMissingLandmarks) {
-  MakeRun("full", "");
-  const ProcessResult without = Overlay({run().string(), "--frame", "2"});
-  ASSERT_EQ(without.exit_code, 0) << without.err;
-  EXPECT_THAT(without.err, AllOf(HasSubstr("drawn without landmarks"), HasSubstr("landmarks.csv")));
-  EXPECT_TRUE(fs::exists(out() / "000002.png"));
-}
-
-TEST_F(CliOverlay, ReportsTruncatedLandmarks) {
-  MakeRun();
-  test::CutFile(run() / "landmarks.csv");
-  const ProcessResult without = Overlay({run().string(), "--frame", "2"});
-  ASSERT_EQ(without.exit_code, 0) << without.err;
-  EXPECT_THAT(without.err, AllOf(HasSubstr("drawn without landmarks"), HasSubstr("line ")));
+TEST_F(CliOverlay, ReportsMissingAndTruncatedLandmarks) {
+  MakeRun("full", {});
+  MakeRun("2d");
+  test::CutFile(run("2d") / "landmarks.csv");
+  for (const auto& [variant, problem] : {std::pair{"full", "landmarks.csv"}, {"2d", "line "}}) {
+    const ProcessResult without = Overlay({run(variant).string(), "--frame", "2"});
+    ASSERT_EQ(without.exit_code, 0) << without.err;
+    EXPECT_THAT(without.err, AllOf(HasSubstr("drawn without landmarks"), HasSubstr(problem)));
+    EXPECT_TRUE(fs::exists(out() / "000002.png"));
+  }
 }
 
 TEST_F(CliOverlay, DrawsADarkImageForASkippedFrame) {
@@ -146,11 +132,11 @@ TEST_F(CliOverlay, RefusesInvalidInput) {
   fs::copy(run(), out("other"));
   Json result = ReadJson(run() / "result.json");
   result["schema_version"] = 99;
-  std::ofstream(out("other") / "result.json") << result.dump();
+  folder_.Write("other/result.json", result.dump());
   ExpectError(Overlay({out("other").string()}), "schema_version 99");
   result["schema_version"] = 3;
   result["sequence"]["name"] = "another";
-  std::ofstream(out("other") / "result.json") << result.dump();
+  folder_.Write("other/result.json", result.dump());
   ExpectError(Overlay({run().string(), out("other").string()}), "a run of another");
   EXPECT_FALSE(fs::exists(out()));
 }
@@ -166,16 +152,14 @@ TEST_F(CliOverlay, ReportsMovedImagesAndReadsThemElsewhere) {
 }
 
 TEST_F(CliOverlay, ReportsWrongUsage) {
-  for (const std::vector<std::string>& wrong : {std::vector<std::string>{},
-                                                {"RUN", "--scale", "0"},
-                                                {"RUN", "--labels", "x"},
-                                                {"RUN", "--no-images"},
-                                                {"RUN", "--frame", "-1"},
-                                                {"--suite", "DIR"},
-                                                {"RUN", "--variant", "full"}}) {
-    const ProcessResult result = Overlay(wrong);
-    EXPECT_EQ(result.exit_code, 2) << result.err;
-    EXPECT_THAT(result.err, HasSubstr("clustervo overlay --help"));
+  for (const Arguments& wrong : {Arguments{},
+                                 {"RUN", "--scale", "0"},
+                                 {"RUN", "--labels", "x"},
+                                 {"RUN", "--no-images"},
+                                 {"RUN", "--frame", "-1"},
+                                 {"--suite", "DIR"},
+                                 {"RUN", "--variant", "full"}}) {
+    ExpectError(Overlay(wrong), "clustervo overlay --help", 2);
   }
 }
 

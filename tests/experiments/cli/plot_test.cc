@@ -11,21 +11,23 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "core/files/text/number.h"
-#include "tests/core/record/result_files.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/support/temp_folder.h"
+#include "tests/reports/results/result_files.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
 using test::BodyOf;
 using test::ExpectError;
 using test::ProcessResult;
 using test::ProcessSetup;
 using test::RunProgram;
+using test::With;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -42,7 +44,7 @@ PathPoint PointAt(int i) {
   return {std::sin(angle), 0.1 * std::sin(3.0 * angle), 1.0 - std::cos(angle)};
 }
 
-class CliPlot : public testing::Test {
+class CliPlot : public test::CommandTest {
  protected:
   // If `scale` is positive, the path is rotated by 90 degrees about y and scaled: (x, y, z) becomes
   // s (z, y, -x).
@@ -68,17 +70,12 @@ class CliPlot : public testing::Test {
     }
     return folder_.Write(name, text.str()).string();
   }
-  std::string out(const std::string& name = "plot.svg") const {
-    return (folder_.path() / name).string();
-  }
-  ProcessResult Plot(std::vector<std::string> arguments,
-                     const std::string& name = "plot.svg") const {
+  std::string out(const std::string& name = "plot.svg") const { return Path(name); }
+  ProcessResult Plot(Arguments arguments, const std::string& name = "plot.svg") const {
     arguments.insert(arguments.begin(), "plot");
     arguments.insert(arguments.end(), {"-o", out(name)});
     return RunProgram(arguments);
   }
-
-  test::TempFolder folder_;
 };
 
 // Returns the value of the first trajectory in the column of the summary with this heading.
@@ -98,11 +95,9 @@ double SummaryValue(const std::string& text, const std::string& heading) {
 TEST_F(CliPlot, AlignmentIsChosenAndNamed) {
   const std::string truth = Tum("truth.txt");
   const std::string turned = Tum("turned.txt", 2.0);
-  const std::vector<std::string> both = {turned, "--groundtruth", truth};
+  const Arguments both = {turned, "--groundtruth", truth};
   const auto plot_with = [&](const std::string& alignment) {
-    std::vector<std::string> arguments = both;
-    arguments.insert(arguments.end(), {"--align", alignment});
-    const ProcessResult run = Plot(arguments);
+    const ProcessResult run = Plot(With(both, {"--align", alignment}));
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return run.out;
   };
@@ -141,9 +136,9 @@ TEST_F(CliPlot, KittiPosesAreMatchedByLineNumber) {
 }
 
 TEST_F(CliPlot, PlotsARunAgainstItsTruthWithTheErrorOfItsResult) {
-  const fs::path tiny = folder_.path() / "tiny";
+  const fs::path tiny = Path("tiny");
   test::WriteTinySequence(tiny, 6);
-  const fs::path results = folder_.path() / "results";
+  const fs::path results = Path("results");
   const ProcessResult made =
       RunProgram({"run", tiny.string(), "-o", results.string(), "--variant", "static"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
@@ -167,7 +162,7 @@ TEST_F(CliPlot, BadInputGivesOneLine) {
   ExpectError(Plot({folder_.path().string()}), "found a folder without result.json or plan.json");
   ExpectError(Plot({folder_.Write("bad.txt", "1 2 3\n").string()}), "bad.txt:1: found 3 columns");
   ExpectError(Plot({folder_.Write("comma.csv", "1,2,3\n").string()}), "comma.csv:1: found 3 col");
-  ExpectError(Plot({(folder_.path() / "none.txt").string()}), "none.txt");
+  ExpectError(Plot({Path("none.txt")}), "none.txt");
   ExpectError(Plot({Tum("one.txt", 0.0, 1), "--groundtruth", truth}),
               "one.txt: found 1 poses that match one of truth, expected 2 or more within 0.02 s");
   ExpectError(Plot({truth}, "truth.txt/plot.svg"), "truth.txt");
@@ -178,17 +173,14 @@ TEST_F(CliPlot, BadInputGivesOneLine) {
 }
 
 TEST_F(CliPlot, DrawingsAreReproducible) {
-  const std::vector<std::string> arguments = {Tum("a.txt"), Tum("b<i>.txt", 2.0)};
+  const Arguments arguments = {Tum("a.txt"), Tum("b<i>.txt", 2.0)};
   ASSERT_EQ(Plot(arguments).exit_code, 0);
   const std::string svg = test::ReadFile(out());
-  EXPECT_THAT(svg, AllOf(StartsWith("<svg"), HasSubstr("Trajectories against a"),
-                         HasSubstr("distance (m)"), HasSubstr("b&lt;i&gt;")));
+  EXPECT_THAT(
+      svg, AllOf(StartsWith("<svg"), HasSubstr("Trajectories against a"),
+                 HasSubstr(">distance</text>"), HasSubstr(">(m)</text>"), HasSubstr("b&lt;i&gt;")));
   ASSERT_EQ(Plot(arguments).exit_code, 0);
   EXPECT_EQ(test::ReadFile(out()), svg);
-  const ProcessResult pdf = Plot(arguments, "plot.pdf");
-  if (pdf.err.find("no rsvg-convert") != std::string::npos) GTEST_SKIP() << pdf.err;
-  ASSERT_EQ(pdf.exit_code, 0) << pdf.err;
-  EXPECT_THAT(test::ReadFile(out("plot.pdf")), StartsWith("%PDF-"));
 }
 
 // The figures of a suite, on hand-made results.
@@ -206,9 +198,8 @@ struct HostileSuite : test::SuiteResults {
     }
   }
   fs::path out() const { return folder().path() / "figures"; }
-  ProcessResult Draw(std::vector<std::string> more, const ProcessSetup& setup = {}) const {
-    std::vector<std::string> arguments = {"plot", Written().string(), "-o", out().string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
+  ProcessResult Draw(Arguments more, const ProcessSetup& setup = {}) const {
+    const Arguments arguments = With({"plot", Written().string(), "-o", out().string()}, more);
     return RunProgram(arguments, setup);
   }
 };
@@ -221,9 +212,10 @@ TEST(CliFigures, NamesStayTextAndBytesAreReproducible) {
                              HasSubstr("not drawn: Time by stage")));
   const std::string svg = test::ReadFile(suite.out() / "error-reduction.svg");
   EXPECT_THAT(svg, StartsWith("<svg"));
-  EXPECT_THAT(svg, AllOf(HasSubstr("Change in error relative to full, in percent"),
-                         HasSubstr("room &lt;script&gt;alert(1)&lt;/script&gt;"),
-                         HasSubstr("(+100)"), HasSubstr("brackets:"), Not(HasSubstr("<script"))));
+  EXPECT_THAT(
+      svg, AllOf(HasSubstr("Change in error relative to full, in percent"),
+                 HasSubstr("room &lt;script&gt;alert(1)&lt;/script&gt;"), HasSubstr("(+100)"),
+                 ContainsRegex("In(</text>\n<text[^>]*>| )brackets:"), Not(HasSubstr("<script"))));
   suite.Draw({});
   EXPECT_EQ(test::ReadFile(suite.out() / "error-reduction.svg"), svg);
 }
@@ -249,7 +241,7 @@ TEST(CliFigures, DrawsOneFigureByName) {
       "--only: found \"error-reductoin\" (did you mean error-reduction?), expected one of: ", 2);
 }
 
-TEST(CliFigures, MissingInputGivesOneLine) {
+TEST(CliFigures, BadInputGivesOneLine) {
   const HostileSuite suite;
   const test::TempFolder empty;
   ExpectError(suite.Draw({"--format", "pdf"}, {.environment = {"PATH=" + empty.path().string()}}),
@@ -258,10 +250,6 @@ TEST(CliFigures, MissingInputGivesOneLine) {
   const ProcessResult usage = suite.Draw({"--format", "png"});
   EXPECT_EQ(usage.exit_code, 2);
   EXPECT_EQ(test::LineCount(usage.err), 1U);
-}
-
-TEST(CliFigures, FlagsOfTrajectoriesAreRefused) {
-  const HostileSuite suite;
   ExpectError(suite.Draw({"--align", "se3"}), "--align: applies to trajectories", 2);
   ExpectError(suite.Draw({"truth.txt"}), "found the folder of a suite, expected it alone", 2);
 }
@@ -278,7 +266,7 @@ TEST(CliFigures, DrawsNothingForASuiteThatHasNotRun) {
 
 TEST(CliFigures, PdfIsReproducible) {
   const HostileSuite suite;
-  const std::vector<std::string> one = {"--only", "error-reduction", "--format", "pdf"};
+  const Arguments one = {"--only", "error-reduction", "--format", "pdf"};
   const ProcessResult run = suite.Draw(one);
   if (run.err.find("no rsvg-convert") != std::string::npos) GTEST_SKIP() << run.err;
   ASSERT_EQ(run.exit_code, 0) << run.err;

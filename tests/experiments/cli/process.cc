@@ -80,7 +80,12 @@ void Collect(pid_t process, const ProcessSetup& setup, const Pipe& out, const Pi
 
 }  // namespace
 
-ProcessResult RunProgram(const std::vector<std::string>& arguments, const ProcessSetup& setup) {
+Arguments With(Arguments first, const Arguments& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
+
+ProcessResult RunProgram(const Arguments& arguments, const ProcessSetup& setup) {
   const Pipe out;
   const Pipe err;
   const pid_t process = ::fork();

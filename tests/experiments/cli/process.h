@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <chrono>
 #include <cstddef>
 #include <functional>
@@ -9,7 +11,15 @@
 #include <thread>
 #include <vector>
 
+#include "tests/experiments/runner/tiny_sequence.h"
+#include "tests/support/temp_folder.h"
+
 namespace cvo::test {
+
+using Arguments = std::vector<std::string>;
+
+// `first`, then `more`.
+Arguments With(Arguments first, const Arguments& more);
 
 struct ProcessResult {
   int exit_code = -1;  // 128 + signal if killed by one
@@ -26,11 +36,33 @@ struct ProcessSetup {
 };
 
 // Runs the program clustervo until it exits.
-ProcessResult RunProgram(const std::vector<std::string>& arguments, const ProcessSetup& setup = {});
+ProcessResult RunProgram(const Arguments& arguments, const ProcessSetup& setup = {});
 
 // Expects that the program failed with exactly one line on standard error, which contains `text`,
 // and no standard output.
 void ExpectError(const ProcessResult& result, const std::string& text, int exit_code = 1);
+
+// A folder for what commands read and write, with a cache and a data folder of its own.
+class CommandTest : public testing::Test {
+ protected:
+  std::string Path(const std::string& name) const { return (folder_.path() / name).string(); }
+  ProcessResult Run(const Arguments& arguments, ProcessSetup setup = {}) const {
+    setup.environment.push_back("CLUSTERVO_CACHE=" + Path("cache"));
+    setup.environment.push_back("CLUSTERVO_DATA=" + Path("data"));
+    return RunProgram(arguments, setup);
+  }
+
+  TempFolder folder_;
+};
+
+// With a sequence in the folder "tiny".
+class TinyTest : public CommandTest {
+ protected:
+  explicit TinyTest(int frames = 3) { WriteTinySequence(tiny(), frames); }
+
+  std::string tiny() const { return Path("tiny"); }
+  std::string out() const { return Path("out"); }
+};
 
 // Returns the number of line breaks in a text.
 std::size_t LineCount(const std::string& text);

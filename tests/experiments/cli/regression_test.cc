@@ -14,7 +14,6 @@ namespace cvo::test {
 namespace {
 
 using ::testing::HasSubstr;
-using Arguments = std::vector<std::string>;
 
 const std::string& Folder() {
   static const std::string folder = CVO_REGRESSION_FOLDER;
@@ -28,8 +27,8 @@ ProcessResult RunCached(const Arguments& arguments) {
 }
 
 ProcessResult RunSuite(const std::string& suite, const std::string& output, Arguments more = {}) {
-  Arguments arguments = {"experiment", "run", suite, "-o", output, "-j", "2", "-q"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
+  const Arguments arguments =
+      With({"experiment", "run", suite, "-o", output, "-j", "2", "-q"}, more);
   return RunCached(arguments);
 }
 

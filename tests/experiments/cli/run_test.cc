@@ -6,41 +6,40 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
-#include "tests/experiments/runner/tiny_sequence.h"
-#include "tests/support/temp_folder.h"
 
 namespace cvo::run_test {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
+using test::ExpectError;
 using test::ProcessResult;
 using test::ReadFile;
 using test::RunProgram;
+using test::With;
 using testing::AllOf;
 using testing::HasSubstr;
 
 // `clustervo run` as a process, on images drawn by the test.
 
 constexpr int kRunFrames = 8;
-const std::vector<std::string> kRecorded = {"result.json", "camera.tum",   "camera.kitti",
-                                            "objects.csv", "tracks.kitti", "truth.json"};
-
-class CliRun : public testing::Test {
+class CliRun : public test::TinyTest {
  protected:
-  CliRun() { test::WriteTinySequence(tiny(), kRunFrames); }
+  CliRun() : TinyTest(kRunFrames) {}
 
-  fs::path tiny() const { return folder_.path() / "tiny"; }
-  fs::path out(const std::string& name = "out") const { return folder_.path() / name; }
-
-  ProcessResult Run(const fs::path& output, const std::vector<std::string>& more = {},
+  fs::path tiny() const { return Path("tiny"); }
+  fs::path out(const std::string& name = "out") const { return Path(name); }
+  ProcessResult Run(const fs::path& output, const Arguments& more = {},
                     const test::ProcessSetup& setup = {}) const {
-    std::vector<std::string> arguments = {"run", tiny().string(), "-o", output.string()};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return RunProgram(arguments, setup);
+    return RunProgram(With({"run", tiny().string(), "-o", output.string()}, more), setup);
   }
   static Json ResultOf(const fs::path& output) { return ReadJson(output / "result.json"); }
-
-  test::TempFolder folder_;
+  static void ExpectSameFiles(const fs::path& a, const fs::path& b) {
+    for (const char* name : {"result.json", "camera.tum", "camera.kitti", "objects.csv",
+                             "tracks.kitti", "truth.json"}) {
+      EXPECT_EQ(ReadFile(a / name), ReadFile(b / name)) << name;
+    }
+  }
 };
 
 TEST_F(CliRun, WritesItsFilesAndPrintsTheMetrics) {
@@ -64,13 +63,11 @@ TEST_F(CliRun, SameBytesForAnyNumberOfThreads) {
   ASSERT_EQ(Run(out("one"), {"--threads", "1"}).exit_code, 0);
   ASSERT_EQ(Run(out("two"), {"--threads", "2"}).exit_code, 0);
   ASSERT_EQ(Run(out("four"), {"--threads", "4", "--quiet"}).exit_code, 0);
-  for (const std::string& name : kRecorded) {
-    EXPECT_EQ(ReadFile(out("one") / name), ReadFile(out("two") / name)) << name;
-    EXPECT_EQ(ReadFile(out("one") / name), ReadFile(out("four") / name)) << name;
-  }
+  ExpectSameFiles(out("one"), out("two"));
+  ExpectSameFiles(out("one"), out("four"));
 }
 
-TEST_F(CliRun, SkipsADamagedImageAndListsIt) {
+TEST_F(CliRun, ADamagedImageIsSkippedOrRefusedIfStrict) {
   test::CutFile(tiny() / "image_1" / "000004.png");
   const ProcessResult run = Run(out());
   ASSERT_EQ(run.exit_code, 0) << run.err;
@@ -81,11 +78,10 @@ TEST_F(CliRun, SkipsADamagedImageAndListsIt) {
   EXPECT_EQ(result["trajectories"]["camera.kitti"]["predicted_rows"], Json::array({4}));
   EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.kitti")), 8U);
   EXPECT_EQ(test::LineCount(ReadFile(out() / "camera.tum")), 7U);
-  for (const Json& metric : result["metrics"]) {
-    if (metric["name"] == "camera_coverage") {
-      EXPECT_EQ(metric["value"], 0.875);
-    }
-  }
+  EXPECT_EQ(result["metrics"][0]["name"], "camera_coverage");
+  EXPECT_EQ(result["metrics"][0]["value"], 0.875);
+  ExpectError(Run(out("strict"), {"--strict", "-q"}), "000004.png");
+  EXPECT_FALSE(fs::exists(out("strict")));
 }
 
 // Only the same run replaces the content of a folder, unless --force is given.
@@ -95,9 +91,9 @@ TEST_F(CliRun, AnotherRunIsNotReplaced) {
           .string();
   ASSERT_EQ(Run(out(), {"-q", "--landmarks"}).exit_code, 0);
   const std::string before = ReadFile(out() / "result.json");
-  const auto refused = [&](std::vector<std::string> more, const std::string& found) {
+  const auto refused = [&](Arguments more, const std::string& found) {
     more.insert(more.end(), {"-q", "--landmarks"});
-    test::ExpectError(Run(out(), more), StrCat(": found a run of tiny with ", found), 2);
+    ExpectError(Run(out(), more), StrCat(": found a run of tiny with ", found), 2);
   };
   refused({"--seed", "7"}, "seed 0, expected 7; use --force to replace it");
   refused({"--variant", "static"}, "variant full, expected static");
@@ -105,7 +101,7 @@ TEST_F(CliRun, AnotherRunIsNotReplaced) {
   refused({"--frames", "1:4"}, "frames 0:8, expected 1:4");
   refused({"--oracle", "camera"}, "classes and oracles {");
   refused({"--detections", boxes}, "other detections (0), expected the given ones (1)");
-  test::ExpectError(Run(out(), {"-q"}), "with landmarks.csv, expected one without", 2);
+  ExpectError(Run(out(), {"-q"}), "with landmarks.csv, expected one without", 2);
   EXPECT_EQ(Run(out(), {"-q", "--landmarks", "--threads", "1"}).exit_code, 0);
   EXPECT_EQ(ReadFile(out() / "result.json"), before);
   fs::copy_file(tiny() / "image_0/000001.png", tiny() / "image_0/000002.png",
@@ -114,7 +110,7 @@ TEST_F(CliRun, AnotherRunIsNotReplaced) {
   EXPECT_EQ(Run(out(), {"-q", "--force"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
   folder_.Write("out/result.json", "{");
-  test::ExpectError(Run(out(), {"-q"}), "; use --force to replace it", 2);
+  ExpectError(Run(out(), {"-q"}), "; use --force to replace it", 2);
 }
 
 // If frames are lost, the trajectory of predictions is still written, but the run fails and names
@@ -157,20 +153,17 @@ TEST_F(CliRun, TheCacheDoesNotChangeTheBytes) {
   ASSERT_EQ(first.exit_code, 0) << first.err;
   ASSERT_EQ(second.exit_code, 0) << second.err;
   EXPECT_EQ(first.err, "");
-  for (const std::string& name : kRecorded) {
-    EXPECT_EQ(ReadFile(out("first") / name), ReadFile(out("plain") / name)) << name;
-    EXPECT_EQ(ReadFile(out("second") / name), ReadFile(out("plain") / name)) << name;
-  }
+  ExpectSameFiles(out("first"), out("plain"));
+  ExpectSameFiles(out("second"), out("plain"));
   EXPECT_TRUE(ReadJson(out("first") / "timing.json")["stages"].contains("extract"));
   const Json stages = ReadJson(out("second") / "timing.json")["stages"];
   EXPECT_TRUE(stages.contains("load_features"));
   EXPECT_FALSE(stages.contains("extract"));
 
-  const ProcessResult bad = Run(out("bad"), {"--cache", "--cache-size", "much"}, setup);
-  EXPECT_EQ(bad.exit_code, 2);
-  EXPECT_THAT(bad.err, HasSubstr("option --cache-size: found \"much\""));
-  test::ExpectError(Run(out("bad"), {"--cache-size", "much"}, setup),
-                    "option --cache-size: found \"much\"", 2);
+  ExpectError(Run(out("bad"), {"--cache", "--cache-size", "much"}, setup),
+              "option --cache-size: found \"much\"", 2);
+  ExpectError(Run(out("bad"), {"--cache-size", "much"}, setup),
+              "option --cache-size: found \"much\"", 2);
 }
 
 TEST_F(CliRun, AnUnusableCacheGivesANotice) {
@@ -229,9 +222,7 @@ TEST_F(CliRun, PrintsAllMetricsAndWarnsOfNegativeScores) {
 TEST_F(CliRun, AcceptsReservedWordsForDetections) {
   ASSERT_EQ(Run(out(), {"--detections", "none"}).exit_code, 0);
   EXPECT_EQ(ResultOf(out())["sequence"]["detections"], 0);
-  const ProcessResult none = Run(out(), {"--detections", "labels"});
-  EXPECT_EQ(none.exit_code, 2);
-  EXPECT_THAT(none.err, HasSubstr("--detections: found \"labels\""));
+  ExpectError(Run(out(), {"--detections", "labels"}), "--detections: found \"labels\"", 2);
   folder_.Write("tiny/labels.txt", "2 7 Car 0 0 -1.5 14 11 29 56 1.5 1.6 3.7 1 1.5 4 0.25\n");
   ASSERT_EQ(Run(out(), {"--detections", "labels", "--force"}).exit_code, 0);
   EXPECT_EQ(ResultOf(out())["frames"][2]["detections"], 1);
@@ -262,10 +253,7 @@ TEST_F(CliRun, AnOracleNeedsTruth) {
   ASSERT_EQ(Run(out(), {"--oracle", "camera"}).exit_code, 0);
   EXPECT_EQ(ResultOf(out())["given"]["oracle"], Json::array({"camera"}));
   for (const char* name : {"boxes", "labels,camera", "bodies"}) {
-    const ProcessResult run = Run(out("new"), {"--oracle", name, "-q"});
-    EXPECT_EQ(run.exit_code, 2);
-    EXPECT_THAT(run.err, HasSubstr("--oracle: found \""));
-    EXPECT_EQ(test::LineCount(run.err), 1U);
+    ExpectError(Run(out("new"), {"--oracle", name, "-q"}), "--oracle: found \"", 2);
     EXPECT_FALSE(fs::exists(out("new")));
   }
 }

@@ -4,13 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/core/record/result_files.h"
 #include "tests/experiments/cli/process.h"
+#include "tests/reports/results/result_files.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using test::Arguments;
+using test::ExpectError;
 using test::Json;
 using test::ProcessResult;
 using test::Result;
@@ -59,8 +61,8 @@ TEST(CliTables, ComparesWithAnotherReferenceRow) {
   EXPECT_EQ(table.exit_code, 0) << table.err;
   EXPECT_THAT(table.out, HasSubstr("difference from 2d"));
   EXPECT_FALSE(fs::exists(fs::path(folder) / "table.json"));
-  test::ExpectError(RunProgram({"experiment", "table", folder, "--reference", "3d"}),
-                    "reference \"3d\": found no such row");
+  ExpectError(RunProgram({"experiment", "table", folder, "--reference", "3d"}),
+              "reference \"3d\": found no such row");
 }
 
 TEST(CliTables, AnUnfinishedSuiteHasATable) {
@@ -77,10 +79,10 @@ TEST(CliTables, AnUnfinishedSuiteHasATable) {
 
 TEST(CliTables, AnInvalidSuiteGivesOneLine) {
   SuiteResults suite;
-  test::ExpectError(MakeTable(suite.folder().path()), "plan.json: found no such file");
-  test::ExpectError(MakeTable(suite.Written()), "field jobs: found none");
+  ExpectError(MakeTable(suite.folder().path()), "plan.json: found no such file");
+  ExpectError(MakeTable(suite.Written()), "field jobs: found none");
   suite.folder().Write("plan.json", "{\"schema_version\": 1, \"kind\":");
-  test::ExpectError(MakeTable(suite.folder().path()), "plan.json: found text that");
+  ExpectError(MakeTable(suite.folder().path()), "plan.json: found text that");
   EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json"));
 }
 
@@ -100,11 +102,11 @@ TEST(CliTables, CompareReportsChanges) {
   better["metrics"][1]["contract"]["delta"] = "1 frame";
   SuiteResults other;
   other.Add(better);
-  test::ExpectError(Compare(before, other), "metric camera_ate");
+  ExpectError(Compare(before, other), "metric camera_ate");
 }
 
 // Runs `experiment table` with these flags on the written suite.
-ProcessResult Print(const SuiteResults& suite, std::vector<std::string> flags) {
+ProcessResult Print(const SuiteResults& suite, Arguments flags) {
   flags.insert(flags.begin(), {"experiment", "table", suite.Written().string()});
   return RunProgram(flags);
 }
@@ -133,12 +135,12 @@ TEST(CliTables, ASavedTableNeedsNoResults) {
   };
   EXPECT_EQ(from("latex"), latex);
   EXPECT_THAT(printed, StartsWith(from("terminal")));
-  test::ExpectError(
+  ExpectError(
       RunProgram({"experiment", "table", "--from", (suite.folder().path() / "plan.json").string()}),
       "plan.json: found kind \"plan\", expected kind \"table\"");
   suite.folder().Write("table.json", "{\"schema_version\": 1, \"kind\": \"table\"}");
-  test::ExpectError(RunProgram({"experiment", "table", "--from", json.string()}),
-                    "table.json: found schema_version 1, expected 3");
+  ExpectError(RunProgram({"experiment", "table", "--from", json.string()}),
+              "table.json: found schema_version 1, expected 3");
 }
 
 TEST(CliTables, WritesATableToAFile) {
@@ -154,7 +156,7 @@ TEST(CliTables, WritesATableToAFile) {
 TEST(CliTables, ConflictingFlagsAreAnError) {
   SuiteResults suite;
   suite.Add(Result());
-  const auto error = [&](const std::vector<std::string>& flags) {
+  const auto error = [&](const Arguments& flags) {
     const ProcessResult run = Print(suite, flags);
     EXPECT_EQ(run.exit_code, 2);
     return run.err;
@@ -182,17 +184,17 @@ TEST(CliTables, CompareTakesTwoSuites) {
   SuiteResults suite;
   suite.Add(Result());
   const std::string folder = suite.Written().string();
-  test::ExpectError(RunProgram({"experiment", "compare", folder, folder, folder}),
-                    "DIR: found 3 suites, expected 2", 2);
-  test::ExpectError(RunProgram({"experiment", "compare", folder, folder, "--all"}),
-                    "--all: applies to runs, found suites", 2);
+  ExpectError(RunProgram({"experiment", "compare", folder, folder, folder}),
+              "DIR: found 3 suites, expected 2", 2);
+  ExpectError(RunProgram({"experiment", "compare", folder, folder, "--all"}),
+              "--all: applies to runs, found suites", 2);
 }
 
 TEST(CliTables, TimesHaveNoFormats) {
   SuiteResults suite;
   suite.Add(Result());
-  test::ExpectError(Print(suite, {"--times", "--format", "csv"}),
-                    "--format: does not apply with --times", 2);
+  ExpectError(Print(suite, {"--times", "--format", "csv"}), "--format: does not apply with --times",
+              2);
 }
 
 std::string WriteRun(const test::TempFolder& folder, const std::string& variant, double error_m) {
@@ -226,13 +228,12 @@ TEST(CliCompare, BadInputGivesOneLine) {
   const test::TempFolder folder;
   const std::string a = WriteRun(folder, "static", 0.04);
   folder.Write("suite/plan.json", "{}");
-  test::ExpectError(
-      RunProgram({"experiment", "compare", a, (folder.path() / "none").string()}),
-      "none: found no result.json or plan.json, expected the output folder of a run or");
-  test::ExpectError(RunProgram({"experiment", "compare", a, (folder.path() / "suite").string()}),
-                    "suite: found the folder of a suite, expected that of a run, as " + a, 2);
-  test::ExpectError(RunProgram({"experiment", "compare", a, a, "--format", "csv"}),
-                    "--format: applies to suites, found runs", 2);
+  ExpectError(RunProgram({"experiment", "compare", a, (folder.path() / "none").string()}),
+              "none: found no result.json or plan.json, expected the output folder of a run or");
+  ExpectError(RunProgram({"experiment", "compare", a, (folder.path() / "suite").string()}),
+              "suite: found the folder of a suite, expected that of a run, as " + a, 2);
+  ExpectError(RunProgram({"experiment", "compare", a, a, "--format", "csv"}),
+              "--format: applies to suites, found runs", 2);
   EXPECT_EQ(RunProgram({"experiment", "compare", a}).exit_code, 2);
 }
 

@@ -1,24 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 
-// The readers on real KITTI data. The folder is named by the environment variable CLUSTERVO_DATA
-// only; it has kitti_raw, kitti_odometry and kitti_tracking.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <opencv2/core.hpp>
-#include <set>
 
-#include "core/base/error.h"
-#include "experiments/calibration/kitti_calibration.h"
-#include "experiments/datasets/formats/data_rows.h"
-#include "experiments/datasets/formats/object_boxes.h"
+#include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/camera_metrics.h"
 #include "tests/support/real_data.h"
+
+// The readers on real KITTI data. The folder is named by the environment variable CLUSTERVO_DATA
+// only; it has kitti_raw, kitti_odometry and kitti_tracking.
 
 namespace cvo {
 namespace {
@@ -117,31 +114,6 @@ TEST_F(KittiData, InterpolatedTruthDiffersByCentimetresAndEndsAtThePackets) {
   EXPECT_THAT(both.missing[0], HasSubstr("no ground truth for 2 of 72 images"));
 }
 
-TEST_F(KittiData, TruthIsIndependentOfTheFrameRange) {
-  const Sequence all = OpenSequence({.folder = Drive("0013")});
-  const Sequence some = OpenSequence({.folder = Drive("0013"), .begin_frame = 30, .end_frame = 40});
-  ASSERT_EQ(some.groundtruth_world_from_camera.size(), 10u);
-  EXPECT_EQ(some.total_frames, 72);
-  EXPECT_EQ(some.groundtruth_world_from_camera[0]->Matrix(),
-            all.groundtruth_world_from_camera[30]->Matrix());
-  EXPECT_EQ(some.timestamps_ns[9], all.timestamps_ns[39]);
-}
-
-TEST_F(KittiData, RawAndTrackingCopiesOfADriveAgree) {
-  const Sequence raw = OpenSequence({.folder = Drive("0013")});
-  const std::vector<RigidTransform> tracking =
-      ImuPoses(ReadOxtsPackets(Tracking() / "oxts/0003.txt"));
-  ASSERT_EQ(tracking.size(), raw.images.size());
-  const CalibrationFile calibration(Tracking() / "calib/0003.txt");
-  const RigidTransform camera_from_imu =
-      RigidTransform(calibration.Rotation("R0_rect"), Eigen::Vector3d::Zero()) *
-      calibration.Transform("Tr_velo_to_cam") * calibration.Transform("Tr_imu_to_velo");
-  for (std::size_t i = 0; i < tracking.size(); ++i) {
-    const RigidTransform pose = camera_from_imu * tracking[i] * camera_from_imu.Inverse();
-    EXPECT_LT(raw.groundtruth_world_from_camera[i]->Minus(pose).norm(), 1e-9) << i;
-  }
-}
-
 TEST_F(KittiData, TrackingLabelsAndDetectionsApplyToTheRawDrive) {
   const Sequence s = OpenSequence({.folder = Drive("0013"),
                                    .labels_file = Tracking() / "label_02/0003.txt",
@@ -158,14 +130,6 @@ TEST_F(KittiData, TrackingLabelsAndDetectionsApplyToTheRawDrive) {
                                 [](const ObjectBox& box) { return box.box3d.has_value(); });
   ASSERT_NE(car, s.labels.end());
   EXPECT_NEAR(car->left_px, 894.768323 - 44.85728 / 4.758829, 1e-6);
-}
-
-TEST_F(KittiData, YoloDetectionsParse) {
-  const std::vector<ObjectBox> boxes = ReadDetections(Tracking() / "det_02_yolov3/0003.txt", 72);
-  EXPECT_EQ(boxes.size(), 130u);
-  EXPECT_TRUE(std::all_of(boxes.begin(), boxes.end(), [](const ObjectBox& box) {
-    return box.type == "Car" && box.score == 1.0 && !box.box3d;
-  }));
 }
 
 TEST_F(KittiData, OdometryHasPosesOfAllItsFrames) {
@@ -198,25 +162,65 @@ TEST_F(KittiData, OpensATrackingSequenceInColour) {
   EXPECT_EQ(same.folder, s.folder);
 }
 
-TEST_F(KittiData, NamesTheMissingFolderOfATrackingSequenceWithoutImages) {
-  try {
-    OpenSequence({.folder = Tracking() / "0003"});
-    FAIL() << "opened a sequence without images";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("image_02/0003: found no such folder"));
+}  // namespace
+}  // namespace cvo
+
+// True bodies of drive_0013, labelled as tracking sequence 0003.
+
+namespace cvo {
+namespace {
+
+class KittiBodies : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto folder = test::RealData();
+    if (!folder) GTEST_SKIP() << "CLUSTERVO_DATA does not name a folder with KITTI data";
+    data_ = *folder;
   }
+
+  std::unique_ptr<BodyTruthReader> Read(const std::string& groundtruth) const {
+    return ReadBodyTruth(
+        OpenSequence({.folder = data_ / "kitti_raw/2011_09_26/2011_09_26_drive_0013_sync",
+                      .groundtruth = groundtruth,
+                      .labels_file = data_ / "kitti_tracking/training/label_02/0003.txt"}));
+  }
+
+  std::filesystem::path data_;
+};
+
+TEST_F(KittiBodies, TwoVisibleCarsMoveAndTheParkedOnesDoNot) {
+  const auto reader = Read("devkit");
+  ASSERT_NE(reader, nullptr);
+  std::vector<int> movers;
+  for (const TruthBody& body : reader->objects().bodies) {
+    int visible = 0;
+    for (const auto& frame : body.frames) visible += frame && frame->visible ? 1 : 0;
+    if (visible == 0) continue;
+    if (body.mover) {
+      movers.push_back(body.id);
+    } else {
+      EXPECT_LT(body.travel_m, 1.0) << body.id;
+    }
+  }
+  EXPECT_THAT(movers, testing::ElementsAre(1, 2));
+  EXPECT_NEAR(FindBody(reader->objects(), 1)->travel_m, 107.0, 1.0);  // about 15 m/s
 }
 
-TEST_F(KittiData, FindsEverySequenceThatHasImages) {
-  std::set<std::pair<std::string, std::string>> found;
-  for (const FoundSequence& s : FindSequences(data_)) {
-    found.insert({s.type, s.folder.filename().string()});
-  }
-  EXPECT_EQ(found, (std::set<std::pair<std::string, std::string>>{
-                       {"kitti-odometry", "06"},
-                       {"kitti-raw", "2011_09_26_drive_0001_sync"},
-                       {"kitti-raw", "2011_09_26_drive_0013_sync"},
-                       {"kitti-tracking", "0005"}}));
+TEST_F(KittiBodies, BoxesAreAlignedWithImages) {
+  // A point on the number plate of the first car in frame 8, 2 m closer than its centre, and a
+  // point on the road beside it. An offset between boxes and images would move them off.
+  const auto reader = Read("devkit");
+  const auto body = [&](double u, double v, double z) {
+    const double fx = 721.5377, cx = 609.5593, cy = 172.854;
+    return static_cast<int>(
+        reader->Find(8, {u, v}, {(u - cx) * z / fx, (v - cy) * z / fx, z}).body);
+  };
+  const Eigen::Vector3d center =
+      reader->objects().world_from_camera[8]->Inverse() *
+      Eigen::Vector3d(FindBody(reader->objects(), 1)->frames[8]->world_from_object.translation());
+  EXPECT_NEAR(center.z(), 7.15, 0.1);
+  EXPECT_EQ(body(1090, 308, center.z() - 2.0), 1);
+  EXPECT_EQ(body(700, 308, center.z() - 2.0), 0);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/datasets/perturbation.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

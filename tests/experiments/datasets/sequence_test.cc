@@ -129,23 +129,6 @@ TEST_F(Sequences, RefusesAnImpossibleCamera) {
                         "within the images of 12x8 px"));
 }
 
-TEST_F(Sequences, OpensARawDriveInColour) {
-  const fs::path folder = WriteRawDrive(root_);
-  for (const char* image : {"image_00", "image_01"}) fs::remove_all(folder / image);
-  const std::string drive = folder.lexically_relative(root_.path()).string();
-  for (const std::string image : {"/image_02", "/image_03"}) {
-    WriteImages(root_, drive + image + "/data", 3, 10);
-    root_.Write(drive + image + "/timestamps.txt",
-                DateTimeRow(0) + DateTimeRow(1) + DateTimeRow(2));
-  }
-  const Sequence s = OpenSequence({.folder = folder});
-  EXPECT_EQ(s.pair, "colour");
-  EXPECT_NEAR(s.camera.baseline_m, 0.5, 1e-15);
-  EXPECT_NEAR(s.left_offset_m, 0.06, 1e-15);
-  EXPECT_EQ(s.camera.right_shift_px, 0.0);
-  EXPECT_NEAR(s.groundtruth_world_from_camera[0]->translation().norm(), 0.0, 1e-12);
-}
-
 TEST_F(Sequences, ColourTruthTurnsAboutTheColourCamera) {
   // When camera 0 rotates in place by 90 degrees, camera 2 moves along an arc.
   const fs::path folder = WriteRawDrive(root_, 2);
@@ -195,16 +178,6 @@ TEST_F(Sequences, PosesBesideTheImagesTakePrecedence) {
               "1 0 0 0 0 1 0 0 0 0 1 5\n1 0 0 0 0 1 0 0 0 0 1 6\n1 0 0 0 0 1 0 0 0 0 1 7\n");
   EXPECT_EQ(OpenSequence({.folder = folder}).groundtruth_world_from_camera[0]->translation().z(),
             5.0);
-}
-
-TEST_F(Sequences, SyntheticSceneIsNamedAfterItsFolder) {
-  const fs::path folder = WriteOdometrySequence(root_);
-  fs::rename(root_.path() / "poses/06.txt", folder / "poses.txt");
-  fs::create_directories(root_.path() / "synthetic");
-  fs::rename(folder, root_.path() / "synthetic/two_movers");
-  const Sequence s = OpenSequence({.folder = root_.path() / "synthetic/two_movers"});
-  EXPECT_EQ(s.name, "two_movers");
-  EXPECT_EQ(s.groundtruth, "official");
 }
 
 TEST_F(Sequences, FramesBeyondThePosesHaveNoTruth) {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/metrics/alignment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/base/rng.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::alignment_test {
@@ -112,21 +112,6 @@ TEST(TrajectoryAlignment, NamesAreParsed) {
             "alignment: found se2, expected one of: none, se3, sim3, origin, yaw");
 }
 
-// A truth of 0.4 times the size determines a scale; a stationary truth does not.
-TEST(TrajectoryAlignment, TheScaleMustBePositive) {
-  CommonPoses poses = PosesMovedBy(Motion(0.4, {0.1, 0.2, 0.3}));
-  EXPECT_NEAR(AlignTrajectory(poses, TrajectoryAlignment::kSim3, kUp).scale, 0.4, 1e-9);
-  for (RigidTransform& pose : poses.truth) pose = {};
-  EXPECT_EQ(ErrorMessage([&] { AlignTrajectory(poses, TrajectoryAlignment::kSim3, kUp); }),
-            "alignment sim3: found positions that determine no scale, expected a trajectory that "
-            "moves");
-}
-
-TEST(TrajectoryAlignment, EachHasADescription) {
-  EXPECT_EQ(DescriptionOf(ParseTrajectoryAlignment("none")), "not aligned");
-  EXPECT_EQ(DescriptionOf(ParseTrajectoryAlignment("origin")), "aligned at the first common pose");
-}
-
 // Where orientations are not aligned separately, the alignment of the positions rotates them.
 TEST(TrajectoryAlignment, OriginAlignmentRotatesTheOrientations) {
   CommonPoses poses = PosesMovedBy(Motion(1.0, {0.4, -0.3, 0.9}));
@@ -139,9 +124,69 @@ TEST(TrajectoryAlignment, OriginAlignmentRotatesTheOrientations) {
   }
 }
 
-TEST(AlignObject, RefusesEmptyInput) {
-  EXPECT_THAT(ErrorMessage([] { AlignObject({}); }), testing::HasSubstr("needs a pair of poses"));
+}  // namespace
+}  // namespace cvo::alignment_test
+
+namespace cvo::association_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+
+constexpr std::int64_t kMs = 1'000'000;
+
+Trajectory At(const std::vector<std::int64_t>& times_ms) {
+  Trajectory trajectory;
+  for (const std::int64_t time_ms : times_ms) {
+    trajectory.push_back({time_ms * kMs,
+                          {Eigen::Quaterniond::Identity(),
+                           Eigen::Vector3d(static_cast<double>(time_ms), 0.0, 0.0)}});
+  }
+  return trajectory;
+}
+
+TEST(Association, EqualTimesPairUp) {
+  const TimeAssociation a = AssociateByTime(At({0, 100, 200}), At({0, 100, 200}));
+  EXPECT_THAT(a.pairs, ElementsAre(Pair(0, 0), Pair(1, 1), Pair(2, 2)));
+  EXPECT_EQ(a.unmatched_a, 0u);
+  EXPECT_EQ(a.unmatched_b, 0u);
+}
+
+TEST(Association, NearestWinsAndIsOneToOne) {
+  // 12 is nearest to 10, so 2 stays unmatched although 10 is within its tolerance.
+  const TimeAssociation a = AssociateByTime(At({2, 12}), At({10}));
+  EXPECT_THAT(a.pairs, ElementsAre(Pair(1, 0)));
+  EXPECT_EQ(a.unmatched_a, 1u);
+  EXPECT_EQ(a.unmatched_b, 0u);
+}
+
+TEST(Association, TiesGoToTheFirst) {
+  EXPECT_THAT(AssociateByTime(At({0, 20}), At({10})).pairs, ElementsAre(Pair(0, 0)));
+  EXPECT_THAT(AssociateByTime(At({10}), At({0, 20})).pairs, ElementsAre(Pair(0, 0)));
+}
+
+TEST(Association, SecondChoiceIsTakenWhenTheFirstIsGone) {
+  // 13 takes 12, so 10 is paired with 2.
+  const TimeAssociation a = AssociateByTime(At({10, 13}), At({2, 12}));
+  EXPECT_THAT(a.pairs, ElementsAre(Pair(0, 0), Pair(1, 1)));
+}
+
+TEST(Association, PosesLandOnTheirFrames) {
+  const Trajectory estimate = At({1, 201});
+  const auto poses = PosesAtFrames(AssociateByTime(At({0, 100, 200}), estimate), 3, estimate);
+  ASSERT_EQ(poses.size(), 3u);
+  EXPECT_EQ(poses[0]->translation().x(), 1.0);
+  EXPECT_FALSE(poses[1].has_value());
+  EXPECT_EQ(poses[2]->translation().x(), 201.0);
+}
+
+TEST(Association, ToleranceIsInclusiveOnBothSides) {
+  EXPECT_THAT(AssociateByTime(At({20}), At({0})).pairs, ElementsAre(Pair(0, 0)));
+  EXPECT_THAT(AssociateByTime(At({21}), At({0})).pairs, IsEmpty());
+  EXPECT_THAT(AssociateByTime(At({100, 200}), At({0, 50, 81, 110, 300})).pairs,
+              ElementsAre(Pair(0, 3)));
 }
 
 }  // namespace
-}  // namespace cvo::alignment_test
+}  // namespace cvo::association_test

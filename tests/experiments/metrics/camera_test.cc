@@ -84,13 +84,6 @@ TEST(Ate, OnePointOff) {
   EXPECT_NEAR(Value(metrics, "camera_ate_max"), 2.0 / 3.0, 1e-12);
 }
 
-TEST(Ate, MedianOfAnEvenNumberIsTheMeanOfTheMiddleTwo) {
-  // The estimate is ahead by 0, 1, 3 and 8 m, on average by 3 m: errors 3, 2, 0 and 5 m.
-  const OptionalPoses truth = {At(0), At(10), At(20), At(30)};
-  const OptionalPoses estimate = {At(0), At(11), At(23), At(38)};
-  EXPECT_NEAR(Value(EvaluateCamera(truth, estimate), "camera_ate_median"), 2.5, 1e-12);
-}
-
 TEST(Ate, IsZeroForARigidlyMovedTruthButNotForAScaledOne) {
   const Pair pair = RandomPair(3, 50);
   const RigidTransform motion = Pose({1.0, -2.0, 0.5}, {100.0, -7.0, 3.0});
@@ -129,34 +122,6 @@ TEST(AllPairsRpe, HandComputed) {
   EXPECT_NEAR(Value(metrics, "camera_trpe_all_pairs"), std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(Value(metrics, "camera_rrpe_all_pairs"), std::sqrt(0.14 / 3.0), 1e-12);
   EXPECT_EQ(Count(metrics, "camera_trpe_all_pairs"), 6);
-}
-
-TEST(AllPairsRpe, EqualsItsDefinition) {
-  const Pair pair = RandomPair(7, 25);
-  double rotation = 0.0, translation = 0.0;
-  int pairs = 0;
-  for (std::size_t i = 0; i < 25; ++i) {
-    for (std::size_t j = 0; j < 25; ++j) {
-      if (i == j) continue;
-      const RigidTransform G = pair.truth[i]->Inverse() * *pair.truth[j];
-      const RigidTransform P = pair.estimate[i]->Inverse() * *pair.estimate[j];
-      const RigidTransform E = G.Inverse() * P;
-      rotation += std::pow(RotationAngle(E.rotation()), 2);
-      translation += E.translation().squaredNorm();
-      ++pairs;
-    }
-  }
-  const auto metrics = EvaluateCamera(pair.truth, pair.estimate);
-  EXPECT_NEAR(Value(metrics, "camera_rrpe_all_pairs"), std::sqrt(rotation / pairs), 1e-12);
-  EXPECT_NEAR(Value(metrics, "camera_trpe_all_pairs"), std::sqrt(translation / pairs), 1e-10);
-}
-
-TEST(AllPairsRpe, TranslationIsAtLeastTheAte) {
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const Pair pair = RandomPair(seed, 3 + static_cast<int>(seed));
-    const auto metrics = EvaluateCamera(pair.truth, pair.estimate);
-    EXPECT_GE(Value(metrics, "camera_trpe_all_pairs"), Value(metrics, "camera_ate")) << seed;
-  }
 }
 
 TEST(OneFrameRpe, HandComputed) {
@@ -210,11 +175,6 @@ TEST(CameraMetrics, AreFiniteForAStationaryCamera) {
   for (const Metric& metric : metrics) EXPECT_TRUE(std::isfinite(metric.value)) << metric.name;
 }
 
-TEST(CameraMetrics, RefuseLengthsThatDiffer) {
-  EXPECT_THAT(ErrorMessage([] { EvaluateCamera({At(0)}, {}); }),
-              HasSubstr("found 0 estimated frames, expected 1"));
-}
-
 TEST(CameraMetrics, RefuseNonFiniteValues) {
   EXPECT_THAT(ErrorMessage([] {
                 EvaluateCamera({At(0), At(1)}, {At(0), At(std::nan(""))});
@@ -246,42 +206,11 @@ OptionalPoses Straight(int frames, double step_m) {
   return poses;
 }
 
-TEST(KittiDrift, ScaleErrorOfOnePercent) {
-  // At 1 m per frame, a sub-sequence of 100 m ends at the first frame beyond 100 m, after 101 m.
-  const auto drift = ComputeKittiDrift(Straight(111, 1.0), Straight(111, 1.01));
-  ASSERT_TRUE(drift.has_value());
-  EXPECT_EQ(drift->segments, 1);
-  EXPECT_NEAR(drift->translation_percent, 1.01, 1e-9);
-  EXPECT_NEAR(drift->rotation_deg_per_100m, 0.0, 1e-9);
-  // Sub-sequences from frames 0, ..., 110 reach 100 m; those from 0 and 10 also reach 200 m, after
-  // 201 m.
-  const auto longer = ComputeKittiDrift(Straight(212, 1.0), Straight(212, 1.01));
-  EXPECT_EQ(longer->segments, 12 + 2);
-  EXPECT_NEAR(longer->translation_percent, (12 * 1.01 + 2 * 1.005) / 14, 1e-9);
-}
-
-TEST(KittiDrift, ConstantTurn) {
-  OptionalPoses estimate;
-  for (int i = 0; i < 111; ++i) estimate.push_back(Pose({0, 0.001 * i, 0}, {0, 0, 1.0 * i}));
-  const auto drift = ComputeKittiDrift(Straight(111, 1.0), estimate);
-  ASSERT_TRUE(drift.has_value());
-  EXPECT_NEAR(drift->rotation_deg_per_100m, 0.101 * 180.0 / std::numbers::pi, 1e-9);
-}
-
 TEST(KittiDrift, IsAbsentOnAShortPath) {
   EXPECT_FALSE(ComputeKittiDrift(Straight(101, 1.0), Straight(101, 1.0)).has_value());
   EXPECT_FALSE(ComputeKittiDrift({}, {}).has_value());
   EXPECT_EQ(FindMetric(EvaluateCamera(Straight(50, 1.0), Straight(50, 1.0)), "camera_t_drift"),
             nullptr);
-}
-
-TEST(KittiDrift, LeavesOutSegmentsWithoutEstimate) {
-  OptionalPoses estimate = Straight(121, 1.0);
-  estimate[10].reset();
-  const auto drift = ComputeKittiDrift(Straight(121, 1.0), estimate);
-  ASSERT_TRUE(drift.has_value());
-  EXPECT_EQ(drift->segments, 1);
-  EXPECT_EQ(drift->segments_without_estimate, 1);
 }
 
 TEST(KittiDrift, BridgesFramesWithoutTruth) {
@@ -304,11 +233,6 @@ TEST(CameraMetrics, PathErrorIsOfTheLengthOverConsecutiveFrames) {
   const auto metrics = EvaluateCamera(truth, estimate);
   EXPECT_NEAR(Value(metrics, "camera_path_error"), 2.0, 1e-9);
   EXPECT_EQ(FindMetric(metrics, "camera_path_error")->n, 8);
-}
-
-TEST(CameraMetrics, PathErrorNeedsAPath) {
-  const OptionalPoses still = {At(1), At(1), At(1)};
-  EXPECT_EQ(FindMetric(EvaluateCamera(still, still), "camera_path_error"), nullptr);
 }
 
 TEST(CameraMetrics, TwoCommonFramesAreEnough) {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+
 #include "experiments/metrics/pose_errors.h"
 
 #include <gmock/gmock.h>
@@ -7,8 +8,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/base/rng.h"
+#include "core/geometry/stereo_camera.h"
+#include "experiments/metrics/camera_metrics.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::pose_errors_test {
@@ -77,11 +81,6 @@ TEST(AllPairsErrors, MatchTheDefinitionForLargeErrors) {
   }
 }
 
-TEST(AllPairsErrors, NeedTwoPoses) {
-  EXPECT_FALSE(AllPairsErrors(UnrelatedPoses(1, 1)));
-  EXPECT_FALSE(AllPairsErrors({}));
-}
-
 // The estimate is 1 um off to alternating sides over a path of kilometres, in another world frame:
 // half of the other poses are off to the opposite side, 2 um away.
 TEST(AllPairsErrors, ArePreciseForSmallErrorsOnLongPaths) {
@@ -123,13 +122,6 @@ TEST(OneFrameErrors, EqualAllPairsErrorsForTwoFrames) {
   EXPECT_FALSE(OneFrameErrors(UnrelatedPoses(4, 1)));
 }
 
-TEST(AlignedPositionErrors, HandleZeroAndOnePose) {
-  EXPECT_TRUE(AlignedPositionErrors({}).empty());
-  const std::vector<double> one = AlignedPositionErrors(UnrelatedPoses(5, 1));
-  ASSERT_EQ(one.size(), 1U);
-  EXPECT_NEAR(one[0], 0.0, 1e-12);
-}
-
 TEST(FindCommonPoses, NamesTheSideThatIsNotFinite) {
   const RigidTransform bad(Eigen::Quaterniond::Identity(),
                            Eigen::Vector3d(std::numeric_limits<double>::infinity(), 0, 0));
@@ -145,3 +137,93 @@ TEST(FindCommonPoses, NamesTheSideThatIsNotFinite) {
 
 }  // namespace
 }  // namespace cvo::pose_errors_test
+
+namespace cvo::kitti_drift_test {
+namespace {
+
+// A path along z that turns about y by `rad_per_m` per frame, which is per metre at a step of 1 m.
+OptionalPoses Path(int frames, double step_m, double rad_per_m = 0.0) {
+  OptionalPoses poses;
+  for (int i = 0; i < frames; ++i) {
+    poses.emplace_back(RigidTransform(ExpSo3({0.0, rad_per_m * i, 0.0}), {0.0, 0.0, step_m * i}));
+  }
+  return poses;
+}
+
+// On 1000 frames at 1 m per frame, a sub-sequence of length L ends after L + 1 m, so the last one
+// starts at 999 - (L + 1): 90, 80, ..., 20 starts.
+TEST(KittiDrift, TakesEightLengthsFromEveryTenthFrame) {
+  const auto drift = ComputeKittiDrift(Path(1000, 1.0), Path(1000, 1.01, 1e-5));
+  ASSERT_TRUE(drift);
+  EXPECT_EQ(drift->segments, 90 + 80 + 70 + 60 + 50 + 40 + 30 + 20);
+  double rotation_rad_per_m = 0.0;
+  for (int k = 1; k <= 8; ++k) {
+    rotation_rad_per_m += (100.0 - 10.0 * k) * 1e-5 * (100.0 * k + 1.0) / (100.0 * k);
+  }
+  EXPECT_NEAR(drift->rotation_deg_per_100m,
+              100.0 * rotation_rad_per_m / 440.0 * 180.0 / std::numbers::pi, 1e-9);
+  EXPECT_EQ(drift->segments_without_estimate, 0);
+}
+
+TEST(KittiDrift, StraightPathHandComputed) {
+  const auto drift = ComputeKittiDrift(Path(1000, 1.0), Path(1000, 1.01));
+  double translation = 0.0;
+  for (int k = 1; k <= 8; ++k) translation += (100.0 - 10.0 * k) * (1.0 + 0.01 / k);
+  EXPECT_NEAR(drift->translation_percent, translation / 440.0, 1e-9);
+}
+
+// A sub-sequence with an estimate at only one end does not count.
+TEST(KittiDrift, IsAbsentIfNoSubSequenceHasAnEstimate) {
+  OptionalPoses start = Path(111, 1.0);
+  OptionalPoses end = start;
+  start[101].reset();
+  end[0].reset();
+  EXPECT_FALSE(ComputeKittiDrift(Path(111, 1.0), start));
+  EXPECT_FALSE(ComputeKittiDrift(Path(111, 1.0), end));
+  EXPECT_FALSE(ComputeKittiDrift(OptionalPoses(111), Path(111, 1.0)));
+}
+
+}  // namespace
+}  // namespace cvo::kitti_drift_test
+
+namespace cvo::calibration_metrics_test {
+namespace {
+
+const Vector6d kTruth_px{{0.2, -0.01, 0.03, 0.02, 0.0, -0.05}};
+
+CalibrationReport Estimate(const Vector6d& error_px) {
+  return {kTruth_px + error_px, 1e4 * Matrix6d::Identity()};
+}
+
+TEST(EvaluateCalibration, ErrorIsTheRootMeanSquareOverTheImage) {
+  StereoCamera camera;
+  camera.width_px = 1242;
+  camera.height_px = 375;
+  const Vector6d error_px{{0.03, -0.02, 0.05, 0.04, -0.06, 0.01}};
+  double squares = 0.0;
+  for (int v = 0; v < camera.height_px; ++v) {
+    for (int u = 0; u < camera.width_px; ++u) {
+      squares += std::pow(error_px.dot(camera.BasisAt(u, v).value), 2);
+    }
+  }
+  const auto metrics = EvaluateCalibration(kTruth_px, Estimate(error_px));
+  ASSERT_EQ(metrics.size(), 2u);
+  EXPECT_EQ(metrics[0].name, "calibration_error");
+  EXPECT_NEAR(metrics[0].value, std::sqrt(squares / (camera.width_px * camera.height_px)), 1e-5);
+}
+
+TEST(EvaluateCalibration, NeesIsOneIfErrorsAreAsLargeAsClaimed) {
+  CalibrationReport estimate = Estimate(Vector6d::Zero());
+  const Vector6d sigma_px = estimate.Covariance_px2().diagonal().cwiseSqrt();
+  estimate.right_field_px += sigma_px;
+  EXPECT_NEAR(EvaluateCalibration(kTruth_px, estimate)[1].value, 1.0, 1e-9);
+  estimate.right_field_px += sigma_px;
+  EXPECT_NEAR(EvaluateCalibration(kTruth_px, estimate)[1].value, 4.0, 1e-9);
+}
+
+TEST(EvaluateCalibration, IsEmptyWithoutSelfCalibration) {
+  EXPECT_TRUE(EvaluateCalibration(kTruth_px, {}).empty());
+}
+
+}  // namespace
+}  // namespace cvo::calibration_metrics_test

@@ -9,11 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
-#include "experiments/record/cluster_tables.h"
-#include "experiments/record/landmark_table.h"
-#include "experiments/record/result_file.h"
-#include "experiments/record/run_result.h"
-#include "experiments/record/truth_file.h"
+#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_result.h"
+#include "experiments/runner/run_tables.h"
 #include "tests/support/collected.h"
 #include "tests/support/estimator_inputs.h"
 
@@ -89,8 +87,8 @@ class Clusters : public testing::Test {
   }
   std::optional<ImageBox> Box() const {
     std::optional<ImageBox> box;
-    ForEachClusterRow(Run(),
-                      [&](const ClusterRow& row) { box = ProjectedBox(row, sequence_.camera); });
+    ForEachLiveCluster(Run(),
+                       [&](const LiveCluster& row) { box = ProjectedBox(row, sequence_.camera); });
     return box;
   }
   std::string ObjectTable() const { return test::Collected(WriteObjectTable, sequence_, Run()); }

@@ -7,10 +7,9 @@
 
 #include "core/base/error.h"
 #include "experiments/metrics/pose_errors.h"
-#include "experiments/record/build_identity.h"
-#include "experiments/record/job_identity.h"
-#include "experiments/record/result_file.h"
-#include "experiments/record/timing_file.h"
+#include "experiments/runner/identity.h"
+#include "experiments/runner/result_file.h"
+#include "experiments/runner/run_files.h"
 #include "tests/support/collected.h"
 
 namespace cvo::result_test {
@@ -233,7 +232,7 @@ TEST_F(Result, MetricsCarryTheirContract) {
 
 TEST_F(Result, TimingHasQuantilesAndContext) {
   run_.frames = frames_;
-  RunContext context = ThisProcess();
+  reports::TimingData context = ThisProcess();
   context.job = "job";
   context.threads = 2;
   const Json json = ParseJson(test::Collected(WriteTimingFile, run_, context), "timing");

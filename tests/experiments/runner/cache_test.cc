@@ -7,8 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
-#include "experiments/record/result_file.h"
-#include "experiments/runner/job_cache.h"
+#include "experiments/runner/result_file.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/run_sequence.h"
 #include "tests/experiments/cache/frames.h"

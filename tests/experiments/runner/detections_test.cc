@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/task_pool.h"
 #include "experiments/runner/frame_detections.h"
-#include "experiments/runner/look_ahead.h"
+#include "experiments/runner/frame_source.h"
 #include "experiments/runner/oracle.h"
 #include "tests/support/real_data.h"
 
@@ -158,10 +158,10 @@ TEST(KittiDetections, MoveByTheDepthOfTheNearFace) {
   const BoxCamera camera = {sequence.camera, sequence.detections_offset_m};
   TaskPool pool(2);
   const Options options;
-  LookAhead look_ahead(sequence, options, pool);
+  const auto frames = OpenFrames({sequence, options, {}}, pool);
   int moved = 0;
   for (const std::vector<ObjectBox>& boxes : DetectionsByFrame(sequence)) {
-    const PreparedFrame prepared = look_ahead.Next();
+    const PreparedFrame prepared = frames->Next();
     for (const ObjectBox& drawn : boxes) {
       if (drawn.type != "Car" || drawn.occlusion > 0) continue;
       DetectionCounts counts;

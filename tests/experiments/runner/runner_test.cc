@@ -9,10 +9,10 @@
 
 #include "core/base/error.h"
 #include "core/features/front_end.h"
-#include "experiments/cache/content_hash.h"
 #include "experiments/datasets/images.h"
-#include "experiments/record/result_file.h"
-#include "experiments/runner/look_ahead.h"
+#include "experiments/runner/frame_source.h"
+#include "experiments/runner/identity.h"
+#include "experiments/runner/result_file.h"
 #include "experiments/runner/run_sequence.h"
 #include "experiments/runner/score_run.h"
 #include "tests/experiments/runner/tiny_sequence.h"
@@ -259,8 +259,8 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
   // Fewer than the tiny images have, so that the number in the right image matters.
   options.orb.features = 60;
   TaskPool pool(1);
-  LookAhead frames(sequence_, options, pool);
-  const std::vector<StereoFeature> features = frames.Next().frame.features;
+  const std::vector<StereoFeature> features =
+      OpenFrames({sequence_, options, {}}, pool)->Next().frame.features;
   const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
   const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
   const std::vector<StereoFeature> expected =
@@ -268,7 +268,8 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
   ASSERT_THAT(features, SizeIs(expected.size()));
   for (std::size_t i = 0; i < features.size(); ++i) EXPECT_EQ(features[i].z_px, expected[i].z_px);
   options.stereo.right_features = 1.0;
-  EXPECT_NE(LookAhead(sequence_, options, pool).Next().frame.features.size(), expected.size());
+  EXPECT_NE(OpenFrames({sequence_, options, {}}, pool)->Next().frame.features.size(),
+            expected.size());
 }
 
 TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
@@ -284,7 +285,7 @@ TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
   sequence_.detections = {box};
   TaskPool pool(1);
   const std::vector<StereoFeature> features =
-      LookAhead(sequence_, options, pool).Next().frame.features;
+      OpenFrames({sequence_, options, {}}, pool)->Next().frame.features;
   const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
   const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
   const auto extract = [&](const std::vector<cv::Rect2d>& boxes) {

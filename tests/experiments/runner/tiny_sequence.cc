@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <opencv2/core.hpp>
 #include <sstream>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/rng.h"
@@ -73,6 +74,24 @@ void WriteTinySequence(const std::filesystem::path& folder, int frames) {
 
 void CutFile(const std::filesystem::path& file) {
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+}
+
+std::string WriteTinyNetwork(const TempFolder& folder) {
+  std::vector<float> numbers = {0, 0, 0, 0, 4, -4, 4};  // x, y, w, h, object, classes
+  numbers.resize(7 + 7 * 3, 0.0F);                      // 7 filters of 1 x 1 x 3
+  // The header: version 0.1.0 in 12 bytes, then the number of training images in 4 bytes.
+  std::string weights(20, '\0');
+  weights[4] = 1;
+  weights.resize(16);
+  weights.append(reinterpret_cast<const char*>(numbers.data()), 4 * numbers.size());
+  folder.Write("tiny.weights", weights);
+  return folder
+      .Write("tiny.cfg",
+             "[net]\nwidth=64\nheight=64\nchannels=3\n\n"
+             "[maxpool]\nsize=64\nstride=64\n\n"
+             "[convolutional]\nfilters=7\nsize=1\nstride=1\npad=0\nactivation=linear\n\n"
+             "[yolo]\nmask=0\nanchors=32,16\nclasses=2\nnum=1\n")
+      .string();
 }
 
 }  // namespace cvo::test

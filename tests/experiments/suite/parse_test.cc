@@ -5,10 +5,9 @@
 
 #include <numeric>
 #include <set>
-#include <tuple>
 
+#include "experiments/suite/collection.h"
 #include "experiments/suite/job_input.h"
-#include "experiments/suite/shipped/shipped_suites.h"
 #include "tests/experiments/suite/examples.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
@@ -33,17 +32,6 @@ Json With(const std::string& pointer, const Json& value) {
 
 std::string MessageOf(const Json& json) {
   return ErrorMessage([&] { Parse(json); });
-}
-
-TEST(Suite, UnknownDataSetsAndPairsAreRefused) {
-  for (const auto& [key, value, message] :
-       {std::tuple{"dataset", "kiti",
-                   "found \"kiti\" (did you mean kitti?), expected kitti or other"},
-        {"pair", "gray", "found \"gray\" (did you mean grey?), expected grey or colour"}}) {
-    Json json = test::FolderSuite("07");
-    json["sequences"][0][key] = value;
-    EXPECT_EQ(MessageOf(json), StrCat("s.json, sequences.0.", key, ": ", message));
-  }
 }
 
 TEST(Suite, ReadsAFile) {
@@ -98,8 +86,12 @@ TEST(Suite, SplitsNeverShareARow) {
   EXPECT_THAT(MessageOf(With("/sequences", Json::array({{{"scene", "tiny"}}, RoomsEntry("1000")}))),
               HasSubstr("found the test split"));
   Json json = With("/sequences", Json::array({{{"scene", "tiny"}}, RoomsEntry("1000")}));
-  json["table"]["rows"] = {"sequence", "variant"};
-  EXPECT_EQ(SplitOf(Parse(json)), "mixed");
+  for (const char* key : {"sequence", "family"}) {  // either tells the splits apart
+    json["table"]["rows"] = {key, "variant"};
+    EXPECT_EQ(SplitOf(Parse(json)), "mixed");
+  }
+  EXPECT_EQ(FamilyOf(Parse(json).sequences[0]), "");
+  EXPECT_EQ(FamilyOf(Parse(json).sequences[1]), "room");
 }
 
 TEST(Suite, NamesTheFaultOfAFamilyEntry) {
@@ -181,6 +173,15 @@ TEST(Suite, AWrongValueIsNamedWithFileAndKey) {
       {"/grid", {{"scene.detector.miss_rat", {0.1}}}, "grid"},
       {"/grid", {{"scene.detector.miss_rate", {2}}}, "grid"},
       {"/grid_one_at_a_time", 1, "grid_one_at_a_time"},
+      {"/grid", {{"window.spatial", {4, 5}}}, "table.rows: found no \"window.spatial\""},
+      {"/oracles", {Json::array(), {"boxes"}}, "table.rows: found no \"oracle\""},
+      {"/sequences/0",
+       {{"folder", "07"}, {"dataset", "kiti"}},
+       "found \"kiti\" (did you mean kitti?), expected kitti or"},
+      {"/sequences/0",
+       {{"folder", "07"}, {"pair", "gray"}},
+       "found \"gray\" (did you mean grey?), expected grey or"},
+      {"/sequences/1", {{"scene", "tiny"}, {"detections", "good"}}, "sequences.1"},
       {"/oracles", {{"boxs"}}, "oracles.0.0"},
       {"/oracles", Json::array(), "oracles"},
       {"/systems", {{{"name", "full"}}}, "systems.0"},
@@ -196,15 +197,6 @@ TEST(Suite, AWrongValueIsNamedWithFileAndKey) {
   }
 }
 
-TEST(Suite, RowsDistinguishPointsOfAGrid) {
-  Json json = With("/grid", {{"window.spatial", {4, 5}}});
-  EXPECT_THAT(MessageOf(json), HasSubstr("table.rows: found no \"window.spatial\""));
-  json["table"]["rows"] = {"window.spatial"};
-  EXPECT_EQ(MessageOf(json), "");
-  EXPECT_THAT(MessageOf(With("/oracles", Json::array({Json::array(), {"boxes"}}))),
-              HasSubstr("table.rows: found no \"oracle\""));
-}
-
 TEST(Suite, TooManyRunsAreRefused) {
   EXPECT_THAT(MessageOf(With("/seeds", std::vector<int>(10'001, 1))),
               HasSubstr("s.json, seeds: found 10001, expected at most 10000"));
@@ -217,15 +209,6 @@ TEST(Suite, TooManyRunsAreRefused) {
     json["grid"][path] = {{"from", 1}, {"to", 1000}, {"steps", 1000}};
   }
   EXPECT_THAT(MessageOf(json), HasSubstr("s.json: found 1000000000 runs, expected at most 100000"));
-}
-
-TEST(Suite, SequencesAreUniqueUpToTheirBoxes) {
-  Json json = SmallSuite();
-  json["sequences"].push_back(json["sequences"][0]);
-  EXPECT_THAT(MessageOf(json), HasSubstr("s.json, sequences.1"));
-  json["sequences"][1]["detections"] = "poor";
-  json["table"]["rows"] = {"variant", "detections"};
-  EXPECT_EQ(MessageOf(json), "");
 }
 
 TEST(Suite, ReadsBackWhatItWrote) {
@@ -257,42 +240,30 @@ TEST(Suite, FindsSceneFilesBesideTheSuite) {
 }
 
 TEST(ShippedSuites, IncludeEveryVariant) {
+  std::vector<std::string> ladder = LoadSuite("ladder").variants;
+  EXPECT_EQ(ladder.front(), "clustervo");
+  EXPECT_EQ(ladder.back(), "full");
+  EXPECT_EQ(ladder.size(), LoadSuite("leave_one_out").variants.size());
   std::set<std::string> names;
-  for (const char* suite : {"ablation_all", "corrections", "backends"}) {
+  for (const char* suite : {"ablation_all", "corrections", "backends", "ladder", "leave_one_out"}) {
     const std::vector<std::string> variants = LoadSuite(suite).variants;
     names.insert(variants.begin(), variants.end());
   }
-  for (const VariantInfo& variant : NamedVariantInfos()) {
-    EXPECT_THAT(names, testing::Contains(std::string(variant.name)));
-  }
-}
-
-TEST(ShippedSuites, TheLadderHasEveryRung) {
-  std::vector<std::string> names = LoadSuite("ladder").variants;
-  const std::vector<std::string> left_out = LoadSuite("leave_one_out").variants;
-  EXPECT_EQ(names.front(), "clustervo");
-  EXPECT_EQ(names.back(), "full");
-  EXPECT_EQ(names.size(), left_out.size());
-  names.insert(names.end(), left_out.begin(), left_out.end());
-  for (const VariantInfo& variant : Variants().subspan(NamedVariantInfos().size())) {
+  for (const VariantInfo& variant : Variants()) {
     EXPECT_THAT(names, testing::Contains(std::string(variant.name)));
   }
 }
 
 TEST(ShippedSuites, AreCompleteAndNamedAfterTheirFiles) {
-  std::set<std::string> names;
+  std::vector<std::string> names;
   for (const ShippedSuite& shipped : ShippedSuites()) {
     const Suite suite = LoadSuite(shipped.name);
     EXPECT_EQ(suite.name, shipped.name);
     EXPECT_FALSE(suite.about.empty()) << shipped.name;
-    names.insert(shipped.name);
+    names.push_back(shipped.name);
   }
-  EXPECT_THAT(names,
-              testing::IsSupersetOf(
-                  {"ablation", "ablation_all", "kitti_raw", "peers", "sweep_alpha", "sweep_eta",
-                   "sweep_windows", "sweep_motion_prior", "detector_quality", "oracle_ladder", "ci",
-                   "ladder", "leave_one_out", "ablation_large", "world_speed", "world_detector",
-                   "perturb_kitti", "multimotion", "clusterslam"}));
+  EXPECT_THAT(names, testing::IsSupersetOf({"ci", "ablation", "sweep_alpha", "sweep_eta",
+                                            "sweep_windows", "kitti_raw", "oracle_ladder"}));
   EXPECT_THAT(ErrorMessage([] { LoadSuite("ablatoin"); }), HasSubstr("did you mean ablation"));
 }
 
@@ -310,14 +281,6 @@ TEST(ShippedSuites, ReportOnTheTestSplitAndGateOnDevelopmentScenes) {
     if (shipped.name == "timing") continue;  // it reports no errors
     EXPECT_EQ(split, recorded ? "given" : reports ? "test" : "development") << shipped.name;
   }
-}
-
-TEST(Suite, RowsByFamilyTellSplitsApart) {
-  Json json = With("/sequences", Json::array({{{"scene", "tiny"}}, RoomsEntry("1000")}));
-  json["table"]["rows"] = {"family", "variant"};
-  const Suite suite = Parse(json);
-  EXPECT_EQ(FamilyOf(suite.sequences[0]), "");
-  EXPECT_EQ(FamilyOf(suite.sequences[1]), "room");
 }
 
 TEST(SuiteOverrides, ChangeSeedsOptionsAndAxes) {

@@ -125,14 +125,6 @@ TEST(Chart, DrawsBarsWithIntervalsAndBands) {
   EXPECT_THAT(TextsOf(svg), testing::IsSupersetOf({"a", "a longer name"}));
 }
 
-TEST(Chart, AForestPlotHasARowPerEstimateAndALineAtTheReference) {
-  const Panel panel =
-      ForestPanel("change (%)", {{"full", -3, ValueRange{-5, -1}}, {"2d", 4, {}}}, 0.0);
-  const std::string svg = ChartSvg(OnePanel(panel));
-  EXPECT_THAT(TextsOf(svg), testing::IsSupersetOf({"full", "2d", "change (%)"}));
-  EXPECT_THAT(svg, HasSubstr("stroke-dasharray=\"1 2.5\""));
-}
-
 TEST(Chart, AHeatMapHasItsLabelsAboveAndItsTextsInTheCells) {
   Panel panel;
   panel.x = {"", AxisScale::kCategory, {"camera ATE"}};

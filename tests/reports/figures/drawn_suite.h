@@ -83,9 +83,9 @@ inline reports::DrawnRun RunWithBody(const std::string& variant, const std::stri
   cluster.frame = 1;
   cluster.id = 7;
   run.detail.clusters = {cluster};
-  run.detail.stages = {{"extract", 20.0, 20.0, 30.0}, {"track", 2.0, 2.0, 3.0}};
-  run.detail.cpu = "one of 3 GHz";
-  run.detail.host = "here";
+  run.detail.timing.stages = {{"extract", {20.0, 20.0, 30.0}}, {"track", {2.0, 2.0, 3.0}}};
+  run.detail.timing.cpu = "one of 3 GHz";
+  run.detail.timing.host = "here";
   run.switches = {{2, 2, 5, 7}};
   return run;
 }

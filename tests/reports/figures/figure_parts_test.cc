@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include "reports/figures/numbers.h"
-#include "reports/figures/palette.h"
+#include "reports/figures/figure_style.h"
 #include "tests/reports/figures/drawn_suite.h"
 
 namespace cvo::reports {

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "reports/tables/make_table.h"
-#include "tests/core/record/result_files.h"
-#include "tests/core/record/run_folder.h"
 #include "tests/reports/figures/drawn_suite.h"
+#include "tests/reports/results/result_files.h"
+#include "tests/reports/results/run_folder.h"
 
 namespace cvo::reports {
 namespace {
@@ -174,7 +174,7 @@ TEST(SuiteFigures, NameEachMissingFileOnce) {
   readable.Add(result, "2d");
   EXPECT_THAT(Draw(readable.Written()).not_drawn,
               Contains("truth.json: no such file (2011_09_26_drive_0001 full seed 0 and 1 more "
-                       "runs)."));
+                       "run)."));
 }
 
 TEST(SuiteFigures, DrawTheFirstSeedAtTheDefaults) {

@@ -245,16 +245,6 @@ TEST(GateText, IsEscapedAndLongListsAreTruncated) {
                                        HasSubstr("2d on &quot;room&quot; &amp; more")));
 }
 
-TEST(MetricEntry, HasADirection) {
-  EXPECT_FALSE(FindEntry("camera_ate")->higher_is_better());
-  EXPECT_TRUE(FindEntry("object_causal_standing_coverage")->higher_is_better());
-  EXPECT_TRUE(FindEntry("moving_recall")->higher_is_better());
-  EXPECT_EQ(FindEntry("object_id_switches")->kind, MetricKind::kCount);
-  EXPECT_DOUBLE_EQ(FindEntry("object_ate")->Resolution(-0.5), 0.005);
-  EXPECT_FALSE(FindEntry("wall_s"));
-  EXPECT_FALSE(FindEntry("ate")) << "whose?";
-}
-
 // Three scenes that differ in noise and scale, under three variants, with two errors and two shares
 // as metrics.
 struct World {

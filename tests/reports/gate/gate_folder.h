@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 
 namespace cvo::test {
 

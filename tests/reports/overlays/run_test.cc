@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "reports/overlays/overlay_run.h"
-#include "tests/core/record/run_folder.h"
+#include "tests/reports/results/run_folder.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::reports {

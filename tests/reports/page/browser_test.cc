@@ -9,7 +9,7 @@
 #include <cstdlib>
 
 #include "reports/page/page.h"
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 
 namespace cvo::browser_test {
 namespace {

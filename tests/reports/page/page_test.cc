@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "reports/page/html.h"
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
 #include "tests/support/error_message.h"
 
@@ -82,7 +81,7 @@ TEST(Page, StatesWhatWasCompared) {
   EXPECT_THAT(page, HasSubstr("what it is"));
   EXPECT_THAT(page,
               HasSubstr("Compares 2 variants (static and full) on 1 sequence (room) with 1 seed."));
-  EXPECT_THAT(page, HasSubstr("2 of 2 runs are complete; none failed."));
+  EXPECT_THAT(page, HasSubstr("<p>2 of 2 runs.</p>"));
   EXPECT_THAT(page, HasSubstr("Undecided (1 pair, 6 needed): object ATE"));
   EXPECT_THAT(page, HasSubstr("<h3>Seeds</h3>\n<p>0</p>"));
   EXPECT_THAT(page, AllOf(HasSubstr("Content-Security-Policy"), HasSubstr("script-src 'sha256-")));
@@ -137,7 +136,7 @@ TEST(Page, MissingResultsAreListedWithAReason) {
   other["schema_version"] = 1;
   suite.Add(other);
   const std::string page = PageOf(suite);
-  EXPECT_THAT(page, HasSubstr("1 of 5 runs is complete; 3 failed; 1 not run yet."));
+  EXPECT_THAT(page, HasSubstr("1 of 5 runs, 3 failed, 1 not run yet."));
   EXPECT_THAT(page, HasSubstr("killed by signal 9 (log: logs/x.log)"));
   EXPECT_THAT(page, HasSubstr("<li>not run: "));
   EXPECT_THAT(page, HasSubstr("result.json: found"));
@@ -150,7 +149,7 @@ TEST(Page, AMetricThatSomeRunsLackIsReported) {
   SuiteResults suite;
   suite.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125})})));
   suite.Add(Result("b"));
-  EXPECT_THAT(PageOf(suite), AllOf(HasSubstr("Cells without a value"), HasSubstr("object ATE: ")));
+  EXPECT_THAT(PageOf(suite), HasSubstr("object ATE, within 10 cm: no value in the run"));
 }
 
 TEST(Page, ShowsTheOriginOfAResult) {

@@ -9,7 +9,6 @@
 #include "core/files/text_file.h"
 #include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
-#include "core/record/timing.h"
 #include "core/record/truth.h"
 #include "reports/gate/baseline.h"
 #include "reports/tables/table.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 
 namespace cvo::test {
 

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::reports {

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "tests/core/record/run_folder.h"
+#include "tests/reports/results/run_folder.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::reports {
@@ -98,16 +98,15 @@ TEST(RunDetail, PrefersTheRefinedStateOfAClusterToTheCausalOne) {
 
 TEST(RunDetail, ReadsTimesAndMachine) {
   const RunDetail detail = Read({});
-  ASSERT_EQ(detail.stages.size(), 1U);
-  EXPECT_EQ(detail.stages[0].stage, "detect");
-  EXPECT_EQ(detail.stages[0].median_ms, 2.0);
-  EXPECT_EQ(detail.stages[0].mean_ms, 2.5);
-  EXPECT_EQ(detail.stages[0].p95_ms, 4.0);
-  EXPECT_EQ(detail.frames_per_second, 12.5);
-  EXPECT_EQ(detail.host, "here");
-  EXPECT_EQ(detail.cpu, "one of 3 GHz");
-  EXPECT_EQ(detail.date, "2026-01-02T03:04:05Z");
-  EXPECT_EQ(detail.paths.sequence, "/data/room");
+  ASSERT_EQ(detail.timing.stages.size(), 1U);
+  const StageSummary& stage = detail.timing.stages.at("detect");
+  EXPECT_EQ(stage.median_ms, 2.0);
+  EXPECT_EQ(stage.mean_ms, 2.5);
+  EXPECT_EQ(stage.p95_ms, 4.0);
+  EXPECT_EQ(detail.timing.frames_per_second, 12.5);
+  EXPECT_EQ(detail.timing.host, "here");
+  EXPECT_EQ(detail.timing.cpu, "one of 3 GHz");
+  EXPECT_EQ(detail.timing.paths.sequence, "/data/room");
 }
 
 TEST(RunDetail, ListsMissingFiles) {
@@ -129,8 +128,8 @@ TEST(RunDetail, ListsDamagedFilesAndKeepsTheRest) {
   const RunDetail detail = Read(files);
   EXPECT_THAT(detail.bodies, IsEmpty());
   EXPECT_FALSE(detail.camera[0].truth);
-  EXPECT_THAT(detail.stages, IsEmpty());
-  EXPECT_EQ(detail.frames_per_second, 0.0);
+  EXPECT_THAT(detail.timing.stages, IsEmpty());
+  EXPECT_EQ(detail.timing.frames_per_second, 0.0);
   EXPECT_THAT(detail.clusters, IsEmpty());
   EXPECT_THAT(
       detail.missing,
@@ -189,6 +188,48 @@ TEST(RunDetail, NeedsTheResultItself) {
   files.result["frames"][1]["refined"] = {1, 2};
   folder.Write("result.json", files.result.dump());
   EXPECT_THAT(message(), AllOf(HasSubstr("refined"), HasSubstr("7 numbers")));
+}
+
+// ---- Identity switches
+
+// Adds landmarks of one cluster on one body in a frame.
+void AddSeen(int frame, int count, std::int64_t cluster, int body, LandmarksByFrame& landmarks) {
+  for (int i = 0; i < count; ++i) landmarks[frame].push_back({0.0F, 0.0F, cluster, body, false});
+}
+
+TEST(IdentitySwitches, AreWhereAnotherClusterHasMostLandmarks) {
+  LandmarksByFrame landmarks;
+  AddSeen(1, 5, 7, 2, landmarks);
+  AddSeen(1, 9, kStaticLabel, 2, landmarks);
+  AddSeen(1, 9, 8, 3, landmarks);
+  AddSeen(2, 2, 8, 2, landmarks);  // too few
+  AddSeen(3, 4, 7, 2, landmarks);  // a tie, which keeps the last cluster
+  AddSeen(3, 4, 6, 2, landmarks);
+  AddSeen(4, 4, 8, 2, landmarks);
+  AddSeen(4, 3, 7, 2, landmarks);
+  AddSeen(5, 9, 9, 2, landmarks);  // not visible
+  AddSeen(6, 3, 8, 2, landmarks);  // as before
+  BodyDetail body;
+  body.id = 2;
+  body.visible = {1, 2, 3, 4, 6};
+  const std::vector<IdentitySwitch> switches = IdentitySwitches(landmarks, {body});
+  ASSERT_EQ(switches.size(), 1U);
+  EXPECT_EQ(switches[0].frame, 4);
+  EXPECT_EQ(switches[0].body, 2);
+  EXPECT_EQ(switches[0].from, 7);
+  EXPECT_EQ(switches[0].to, 8);
+}
+
+TEST(Landmarks, ADamagedFileIsAnError) {
+  const test::TempFolder folder;
+  const auto message = [&](const std::string& rows) {
+    folder.Write("landmarks.csv", "frame,u_px,v_px,cluster,truth_body\n" + rows);
+    return ErrorMessage(
+        [&] { ReadLandmarks(folder.path() / "landmarks.csv", LandmarkLabel::kCluster); });
+  };
+  EXPECT_THAT(message("1,1,1,7"), HasSubstr("whole lines"));
+  EXPECT_THAT(message("1,1,1,7\n"), AllOf(HasSubstr("landmarks.csv:2"), HasSubstr("4 cells")));
+  EXPECT_THAT(message("1,1,1,x,2\n"), HasSubstr("column cluster"));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "reports/tables/table_texts.h"
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
 
 namespace cvo::reports {

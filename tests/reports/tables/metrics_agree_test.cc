@@ -11,7 +11,7 @@
 #include "experiments/metrics/objects/object_scores.h"
 #include "reports/tables/cells.h"
 #include "reports/tables/make_table.h"
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 
 namespace cvo::reports {
 namespace {

@@ -9,7 +9,7 @@
 #include "reports/tables/make_table.h"
 #include "reports/tables/table.h"
 #include "reports/tables/table_texts.h"
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
 #include "tests/support/error_message.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 #include "reports/tables/make_table.h"
-#include "tests/core/record/result_files.h"
+#include "tests/reports/results/result_files.h"
 #include "tests/support/error_message.h"
 
 namespace cvo::reports {

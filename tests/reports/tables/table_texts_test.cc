@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/files/text/utf8.h"
 #include "tests/reports/tables/hostile_table.h"
 
 namespace cvo::reports {
@@ -83,21 +82,6 @@ TEST(Digits, ZeroHasNoSign) {
   EXPECT_EQ(Fixed(-0.0004, 3), "0.000");
   EXPECT_EQ(Fixed(-0.0006, 3), "-0.001");
   EXPECT_EQ(Fixed(1e300, 2), "1e+300");
-}
-
-TEST(Printable, IsOneEscapedLine) {
-  EXPECT_EQ(Printable("a\nb\tc\r"), "a b c ");
-  EXPECT_EQ(Printable("\x1b[31mred\x7f"), "\xEF\xBF\xBD[31mred\xEF\xBF\xBD");
-  EXPECT_EQ(Printable("\xE2\x80\xAE"
-                      "abc"),
-            "\xEF\xBF\xBD"
-            "abc")
-      << "turns the line round";
-  EXPECT_EQ(Printable("\xC3\xA9 \xF0\x9F\x9A\x97"), "\xC3\xA9 \xF0\x9F\x9A\x97");
-  EXPECT_EQ(Printable("\xC3"), "\xEF\xBF\xBD") << "cut off";
-  EXPECT_EQ(Printable("\xC0\xAF"), "\xEF\xBF\xBD\xEF\xBF\xBD") << "too long a form";
-  EXPECT_EQ(Printable("\xED\xA0\x80"), "\xEF\xBF\xBD") << "half of a pair";
-  EXPECT_EQ(Width("\xC3\xA9z"), 2U);
 }
 
 TEST(TableTexts, HaveOneLinePerRowAndPerReferenceRow) {

@@ -22,12 +22,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string ParseProblem(const std::string& text) {
-  try {
-    ParseJson(text, "options.json");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
+  return ErrorMessage([&] { ParseJson(text, "options.json"); });
 }
 
 TEST(ParseJson, NamesLineAndColumn) {
@@ -85,12 +80,7 @@ TEST(ReadJson, NamesTheFile) {
   EXPECT_THROW(ReadJson(folder.path() / "missing.json"), Error);
   EXPECT_THROW(ReadJson(folder.path()), Error);
   const auto file = folder.Write("half.json", "{\"a\": ");
-  try {
-    ReadJson(file);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr(file.string()));
-  }
+  EXPECT_THAT(ErrorMessage([&] { ReadJson(file); }), HasSubstr(file.string()));
 }
 
 TEST(DumpJson, NumbersRoundTripExactly) {
@@ -116,12 +106,9 @@ TEST(DumpJson, NumbersRoundTripExactly) {
 TEST(DumpJson, RefusesNonFiniteNumbersAndNamesThem) {
   const double nan = std::nan("");
   const double infinity = std::numeric_limits<double>::infinity();
-  try {
-    DumpJson({{"frames", Json::array({{{"pose", {1.0, 2.0}}}, {{"pose", {1.0, nan}}}})}});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_STREQ(error.what(), "frames[1].pose[1]: found nan, expected a finite number");
-  }
+  const Json bad = {{"frames", Json::array({{{"pose", {1.0, 2.0}}}, {{"pose", {1.0, nan}}}})}};
+  EXPECT_EQ(ErrorMessage([&] { DumpJson(bad); }),
+            "frames[1].pose[1]: found nan, expected a finite number");
   EXPECT_THROW(DumpJson({{"a", infinity}}), Error);
   EXPECT_THROW(DumpJson({{"a", -infinity}}), Error);
 }
@@ -156,20 +143,6 @@ TEST(DumpJsonWithRows, AgreesWithDumpJson) {
         head, "rows", [&](Json& row) { return next < count && (row = all[next++], true); },
         [&text](std::string_view part) { text += part; }, {{"z", {{"last", true}}}});
     EXPECT_EQ(text, DumpJson(whole)) << count;
-  }
-}
-
-TEST(DumpJsonWithRows, NamesTheRowOfANonFiniteNumber) {
-  int rows = 0;
-  const auto next = [&rows](Json& row) {
-    row = {{"x", rows == 2 ? std::nan("") : 1.0}};
-    return rows++ < 3;
-  };
-  try {
-    DumpJsonWithRows({{"a", 1}}, "rows", next, [](std::string_view) {});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("rows[2].x: found nan"));
   }
 }
 

@@ -3,11 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
-
 #include "core/base/error.h"
 #include "core/files/json/options_json.h"
 #include "core/files/text/closest_names.h"
+#include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::options_test {
@@ -42,24 +41,14 @@ struct Settings {
   }
 };
 
-// Returns the message of the Error that `action` throws; empty if it throws none.
-std::string Problem(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
-
 std::string SetProblem(const std::string& assignment) {
   Settings settings;
-  return Problem([&] { SetOption(assignment, OptionLeaves(settings)); });
+  return ErrorMessage([&] { SetOption(assignment, OptionLeaves(settings)); });
 }
 
 std::string MergeProblem(const std::string& json) {
   Settings settings;
-  return Problem(
+  return ErrorMessage(
       [&] { MergeOptions(ParseJson(json, "c.json"), "c.json", OptionLeaves(settings)); });
 }
 

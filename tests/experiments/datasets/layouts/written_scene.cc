@@ -13,7 +13,7 @@
 #include "experiments/datasets/images.h"
 #include "experiments/runner/run_sequence.h"
 #include "experiments/runner/score_run.h"
-#include "tests/experiments/scene_check/rays.h"
+#include "tests/experiments/datasets/scene_check/rays.h"
 #include "tests/support/image_file.h"
 
 namespace cvo::test {

@@ -5,16 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "tests/experiments/metrics/objects/object_world.h"
-#include "tests/support/error_message.h"
 
 namespace cvo::object_matching_test {
 namespace {
 
 using namespace test;  // NOLINT
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 // A truth with `bodies` bodies and an estimate with `clusters` clusters, still without landmarks.
@@ -145,26 +141,6 @@ TEST(ObjectTruth, TravelIsTheLargestDistanceNotThePathLength) {
   EXPECT_EQ(FindBody(truth, 3), nullptr);
 }
 
-TEST(ObjectTruth, RefusesInvalidInput) {
-  ObjectTruth truth = TruthOf(2);
-  AddBody(truth, Line(2));
-  const auto error = [&](const auto& change) {
-    ObjectTruth changed = truth;
-    change(changed);
-    return ErrorMessage([&] { FinishTruth(changed); });
-  };
-  EXPECT_THAT(error([](ObjectTruth& t) { t.bodies[0].frames.pop_back(); }), HasSubstr("body 1"));
-  EXPECT_THAT(error([](ObjectTruth& t) { t.bodies[0].id = 0; }), HasSubstr("from 1 on"));
-  EXPECT_THAT(error([](ObjectTruth& t) { t.bodies.push_back(t.bodies[0]); }),
-              HasSubstr("body 1 after body 1"));
-  EXPECT_THAT(error([](ObjectTruth& t) { t.world_from_camera.clear(); }), HasSubstr("camera"));
-  EXPECT_THAT(error([](ObjectTruth& t) {
-                t.bodies[0].frames[1]->world_from_object =
-                    At(std::numeric_limits<double>::infinity());
-              }),
-              HasSubstr("body 1, frame 1"));
-}
-
 TEST(PointVelocity, IsACentralDifferenceAndOneSidedAtTheEnds) {
   ObjectTruth truth = TruthOf(6);
   AddBody(truth, {At(0), At(1), At(4), At(9), At(0), At(7)});
@@ -273,21 +249,6 @@ TEST(MatchByNearness, OnlyTheMatchingDiffersInTheContract) {
   }
 }
 
-TEST(MatchByNearness, OnlyBodiesWithABoxInTheFrameAreNear) {
-  ObjectTruth truth = TwoLines();
-  const ObjectEstimate estimate = WithoutLandmarks(truth);
-  truth.bodies[0].diagonal_m = 0.0;
-  truth.bodies[1].frames[2].reset();
-  const Eigen::MatrixXd first = NearnessInFrame(truth, estimate, 0);
-  EXPECT_TRUE(first.row(0).isZero());
-  EXPECT_NEAR(first(1, 1), 1.0, 1e-12);
-  EXPECT_TRUE(NearnessInFrame(truth, estimate, 2).isZero());
-  truth.bodies[0].diagonal_m = 0.5;
-  EXPECT_NEAR(NearnessInFrame(truth, estimate, 0)(0, 0), 1.0, 1e-12);
-  truth.world_from_camera[0].reset();
-  EXPECT_TRUE(NearnessInFrame(truth, estimate, 0).isZero());
-}
-
 // The two clusters swap places in the last frame.
 TEST(MatchByNearness, SwappedClustersAreIdSwitches) {
   const ObjectTruth truth = TwoLines();
@@ -299,91 +260,6 @@ TEST(MatchByNearness, SwappedClustersAreIdSwitches) {
     EXPECT_EQ(continuity.id_switches, 1);
     EXPECT_EQ(continuity.fragments, 0);
   }
-}
-
-TEST(MatchByNearness, NothingToMatch) {
-  const ObjectTruth truth = TwoLines();
-  ObjectEstimate estimate = WithoutLandmarks(truth);
-  estimate.clusters.clear();
-  EXPECT_THAT(MatchObjects(truth, estimate), IsEmpty());
-  EXPECT_EQ(MeasureContinuity(truth, estimate).at(1).fragments, 0);
-  const ObjectTruth empty = TruthOf(3);
-  EXPECT_THAT(MeasureContinuity(empty, WithoutLandmarks(truth)), IsEmpty());
-}
-
-TEST(Continuity, ThreeLandmarksSufficeAndTiesGoToTheLowestId) {
-  World world(4, 1, 3);
-  Observe(world.estimate, 0, 3, 1, 3);
-  Observe(world.estimate, 1, 3, 1, 3);  // a tie keeps the previous cluster
-  Observe(world.estimate, 1, 1, 1, 3);
-  Observe(world.estimate, 2, 2, 1, 3);  // a tie of two new clusters: the lowest id
-  Observe(world.estimate, 2, 1, 1, 3);
-  Observe(world.estimate, 3, 1, 1, 4);
-  EXPECT_EQ(world.First().id_switches, 1);
-  EXPECT_EQ(world.First().fragments, 0);
-}
-
-// Before its first cluster, a body has no track fragment that could end.
-TEST(Continuity, TheFirstClusterIsNoFragment) {
-  World world(3, 1, 1);
-  Observe(world.estimate, 2, 1, 1);
-  EXPECT_EQ(world.First().fragments, 0);
-  EXPECT_EQ(world.First().id_switches, 0);
-}
-
-TEST(Continuity, BodiesAreIndependent) {
-  World world(2, 2, 2);
-  for (int k = 0; k < 2; ++k) {
-    Observe(world.estimate, k, 1, 1, 3);
-    Observe(world.estimate, k, k == 0 ? 2 : 1, 2, 9);
-  }
-  const std::vector<Continuity> continuity = MeasureContinuity(world.truth, world.estimate);
-  EXPECT_EQ(continuity[0].id_switches, 0);
-  EXPECT_EQ(continuity[1].id_switches, 1);
-}
-
-TEST(FindBody, IdsMayHaveGaps) {
-  ObjectTruth truth = TruthOf(1);
-  AddBody(truth, Line(1));
-  AddBody(truth, Line(1));
-  truth.bodies[1].id = 4;
-  FinishTruth(truth);
-  EXPECT_EQ(FindBody(truth, 4), &truth.bodies[1]);
-  for (const int id : {0, 2, 3, 5}) EXPECT_EQ(FindBody(truth, id), nullptr) << id;
-}
-
-TEST(FarthestApart, IsTheLargestDistanceOfAnyTwoPositions) {
-  const auto frame = [](double x, double y) { return BodyFrame{At(x, y), true}; };
-  EXPECT_EQ(FarthestApart_m({}), 0.0);
-  EXPECT_EQ(FarthestApart_m({frame(3, 4)}), 0.0);
-  EXPECT_DOUBLE_EQ(FarthestApart_m({frame(0, 0), frame(3, 4)}), 5.0);
-  EXPECT_DOUBLE_EQ(FarthestApart_m({frame(0, 0), std::nullopt, frame(6, 8), frame(1, 1)}), 10.0);
-}
-
-TEST(PointVelocity, RefusesUnknownFrames) {
-  ObjectTruth truth = TruthOf(2);
-  AddBody(truth, Line(2));
-  for (const int frame : {-1, 2}) {
-    EXPECT_THAT(ErrorMessage([&] { (void)PointVelocity(truth, truth.bodies[0], frame, {}); }),
-                HasSubstr("no such frame"));
-  }
-  EXPECT_NEAR(PointVelocity(truth, truth.bodies[0], 1, {0, 0, 0})->x(), 10.0, 1e-12);
-}
-
-TEST(MotionOfPoint, LooksBackToTheFirstFrame) {
-  ObjectTruth truth = TruthOf(40);
-  std::vector<RigidTransform> poses(40, At(1.0));
-  poses[0] = At(0.0);
-  AddBody(truth, poses);
-  const auto motion = [&](int k) { return MotionOfPoint(truth, truth.bodies[0], k, {0, 0, 0}); };
-  EXPECT_EQ(motion(0), PointMotion::kStill);
-  EXPECT_EQ(motion(1), PointMotion::kMoving);
-  EXPECT_EQ(motion(15), PointMotion::kMoving);
-  EXPECT_EQ(motion(16), PointMotion::kStopped);
-  EXPECT_EQ(motion(39), PointMotion::kStopped);
-  truth.bodies[0].frames[5].reset();
-  EXPECT_EQ(motion(5), PointMotion::kStill) << "no truth";
-  EXPECT_EQ(motion(6), PointMotion::kMoving);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+// Tests the rows computed from given scores: limits, counts and contracts.
+
 #include "experiments/metrics/objects/object_scores.h"
 
 #include <gmock/gmock.h>
@@ -15,8 +17,6 @@ namespace {
 
 using namespace test;  // NOLINT
 using testing::HasSubstr;
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ObjectScores, DescribeTheBody) {
   ObjectTruth truth = TruthOf(4);
@@ -96,55 +96,109 @@ TEST(ObjectScores, UnknownVelocitiesAreLeftOut) {
   EXPECT_FALSE(ScoreObjects(truth, estimate).bodies[0].velocity_m_s);
 }
 
-TEST(ObjectScores, HaveNoMotionForOneFrame) {
-  ObjectTruth truth = TruthOf(3);
-  AddBody(truth, Line(3));
-  ObjectEstimate estimate = PerfectEstimate(truth);
-  estimate.clusters[0].frames.resize(1);
-  const BodyScore body = ScoreObjects(truth, estimate).bodies.at(0);
-  EXPECT_NEAR(*body.ate_m, 0.0, 1e-12);
-  EXPECT_FALSE(body.all_pairs_m || body.one_frame_m || body.motion_m || body.max_drift);
+}  // namespace
+}  // namespace cvo::object_scores_test
+
+namespace cvo::object_rows_test {
+namespace {
+
+using namespace test;  // NOLINT
+using testing::HasSubstr;
+
+// A mover that is visible in `visible` frames, with these errors in the first of them.
+BodyScore Mover(int id, int visible, const std::vector<double>& errors_m) {
+  BodyScore body;
+  body.id = id;
+  body.mover = true;
+  body.cluster = id;
+  body.visible_frames = visible;
+  body.estimated_frames = static_cast<int>(errors_m.size());
+  body.errors.position_m = errors_m;
+  return body;
 }
 
-TEST(AlignByCamera, TranslationAlignsThePositions) {
-  const OptionalPoses truth = {At(0), At(0, 0, 3), At(5)};
-  const OptionalPoses estimate = {At(1, 2), At(1, 4, 3), At(6, 3)};
-  const RigidTransform A = AlignByCamera(truth, estimate);
-  EXPECT_LT((A.translation() - Eigen::Vector3d(-1, -3, 0)).norm(), 1e-12);
+std::vector<Metric> RowsOf(const std::vector<BodyScore>& bodies) {
+  ObjectScores scores;
+  scores.bodies = bodies;
+  return ObjectMetrics(TruthOf(8), scores);
 }
 
-TEST(CheckEstimate, NamesTheClusterAndTheFrame) {
-  ObjectTruth truth = TruthOf(3);
-  AddBody(truth, Line(3));
-  const auto error = [&](const auto& change) {
-    ObjectEstimate estimate = PerfectEstimate(truth);
-    change(estimate);
-    return ErrorMessage([&] { CheckEstimate(truth, estimate); });
-  };
-  EXPECT_EQ(error([](ObjectEstimate&) {}), "");
-  EXPECT_EQ(error([](ObjectEstimate& e) { e.clusters[0].frames[1].velocity_m_s.reset(); }), "");
-  EXPECT_THAT(error([](ObjectEstimate& e) { e.clusters[0].frames[0].frame = -1; }),
-              HasSubstr("cluster 1, frame -1: found a frame after -1"));
-  EXPECT_THAT(error([](ObjectEstimate& e) { e.clusters[0].frames[2].point_in_object.z() = kNan; }),
-              HasSubstr("cluster 1, frame 2: found a pose, velocity or point"));
-  EXPECT_THAT(
-      error([](ObjectEstimate& e) { e.clusters[0].frames[0].world_from_object = At(kNan); }),
-      HasSubstr("cluster 1, frame 0: found a pose, velocity or point"));
-  EXPECT_THAT(error([](ObjectEstimate& e) { e.clusters[0].id = -1; }),
-              HasSubstr("found cluster -1 after cluster 0, expected ids that increase from 1 on"));
+TEST(ObjectRows, AnErrorAtTheLimitIsASuccess) {
+  const auto metrics = RowsOf({Mover(1, 5, {0.05, 0.1, 0.2, 0.2001})});
+  EXPECT_EQ(Value(metrics, "object_success_5cm"), 0.2);
+  EXPECT_EQ(Value(metrics, "object_success_10cm"), 0.4);
+  EXPECT_EQ(Value(metrics, "object_success_20cm"), 0.6);
+  EXPECT_EQ(Value(metrics, "object_coverage"), 0.8);
 }
 
-TEST(CheckEstimate, IdsStartAtZeroWithoutLandmarks) {
-  ObjectTruth truth = TruthOf(3);
-  AddBody(truth, Line(3));
-  ObjectEstimate estimate = PerfectEstimate(truth);
-  estimate.match_by = MatchBy::kNearness;
-  estimate.clusters[0].id = 0;
-  EXPECT_EQ(ErrorMessage([&] { CheckEstimate(truth, estimate); }), "");
-  estimate.clusters[0].id = -1;
-  EXPECT_THAT(ErrorMessage([&] { CheckEstimate(truth, estimate); }),
-              HasSubstr("found cluster -1 after cluster -1, expected ids that increase from 0 on"));
+TEST(ObjectRows, MeansAreOverBodiesWithAValue) {
+  std::vector<BodyScore> bodies = {Mover(1, 4, {0.1}), Mover(2, 4, {}), Mover(3, 2, {0.1, 0.3})};
+  bodies[0].ate_m = 0.1;
+  bodies[2].ate_m = 0.4;
+  bodies[2].max_drift = reports::MaxDrifts{{0.1, 0.2, 0.3, 0.4}, {}, {0.5, 0.6, 0.7, 0.8}};
+  const auto metrics = RowsOf(bodies);
+  EXPECT_DOUBLE_EQ(Value(metrics, "object_ate"), 0.25);
+  EXPECT_EQ(Count(metrics, "object_ate"), 2);
+  EXPECT_EQ(FindMetric(metrics, "object_ate")->left_out,
+            "1 of 3 bodies without an estimate, 7 of 10 visible object-frames without one");
+  EXPECT_EQ(Value(metrics, "object_max_drift"), 0.1);
+  EXPECT_EQ(Count(metrics, "object_max_drift"), 1);
+  EXPECT_EQ(Value(metrics, "object_max_drift_first25_yaw"), 0.8);
+}
+
+TEST(ObjectRows, ContractsStateDifferentiatedVelocities) {
+  ObjectScores scores;
+  scores.bodies = {Mover(1, 4, {0.0})};
+  scores.bodies[0].motion_in_camera_m = 0.5;
+  scores.bodies[0].ate_in_camera_m = 0.5;
+  scores.differentiated = true;
+  const auto without = ObjectMetrics(TruthOf(8), scores);
+  const Metric* last = FindMetric(without, "object_ate_in_camera");
+  EXPECT_NE(last->contract.pairing, reports::Pairing::kVelocitiesOfPositions);
+  scores.bodies[0].velocity_m_s = 0.25;
+  const auto metrics = ObjectMetrics(TruthOf(8), scores);
+  EXPECT_EQ(FindMetric(metrics, "object_velocity")->contract.pairing,
+            reports::Pairing::kVelocitiesOfPositions);
+  scores.differentiated = false;
+  const auto estimated = ObjectMetrics(TruthOf(8), scores);
+  EXPECT_NE(FindMetric(estimated, "object_velocity")->contract.pairing,
+            reports::Pairing::kVelocitiesOfPositions);
+}
+
+// Contracts state the bodies, the truth source and the minimum number of landmarks, and the frame
+// span only where motions depend on it.
+TEST(ObjectRows, ContractsHaveTheFieldsOfTheirGroup) {
+  ObjectTruth truth = TruthOf(8);
+  truth.first_frame = 3;
+  truth.contract.camera_truth = reports::TruthSource::kDevkit;
+  ObjectScores scores;
+  scores.bodies = {Mover(1, 4, {0.0})};
+  scores.bodies[0].ate_m = 0.5;
+  scores.bodies[0].motion_m = 0.5;
+  scores.clusters = 2;
+  scores.unmatched_clusters = 1;
+  const auto metrics = ObjectMetrics(truth, scores);
+  for (const char* name : {"object_ate", "object_motion_t", "object_coverage"}) {
+    const reports::Contract& contract = FindMetric(metrics, name)->contract;
+    EXPECT_EQ(contract.subject, reports::Subject::kMovers) << name;
+    EXPECT_EQ(contract.travel_m, 0.2);
+    EXPECT_EQ(contract.truth, reports::TruthSource::kScene);
+    EXPECT_EQ(contract.camera_truth, reports::TruthSource::kDevkit);
+    EXPECT_EQ(contract.matching, MatchBy::kLandmarks);
+    EXPECT_EQ(contract.least_landmarks, 3);
+  }
+  EXPECT_EQ(FindMetric(metrics, "object_motion_t")->contract.frames, (reports::FrameSpan{3, 10}));
+  EXPECT_NE(FindMetric(metrics, "object_ate")->contract.frames, (reports::FrameSpan{3, 10}));
+  const Metric* clusters = FindMetric(metrics, "object_unmatched_clusters");
+  EXPECT_EQ(clusters->contract.subject, reports::Subject::kClusters);
+  EXPECT_EQ(clusters->contract.matching, MatchBy::kLandmarks);
+}
+
+TEST(ObjectRows, RefuseAnOverflow) {
+  std::vector<BodyScore> bodies = {Mover(1, 4, {0.0})};
+  bodies[0].ate_m = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(ErrorMessage([&] { RowsOf(bodies); }), HasSubstr("object_ate: found an overflow"));
 }
 
 }  // namespace
-}  // namespace cvo::object_scores_test
+}  // namespace cvo::object_rows_test

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include "experiments/metrics/alignment.h"
 #include "experiments/metrics/objects/object_scores.h"
+#include "experiments/metrics/trajectory.h"
 #include "tests/experiments/metrics/objects/object_world.h"
 
 namespace cvo::object_test {
@@ -81,19 +81,6 @@ TEST(ObjectMetrics, MotionErrorEqualsItsDefinition) {
   EXPECT_NEAR(Value(metrics, "object_motion_t"), translation, 1e-9);
 }
 
-TEST(ObjectMetrics, RotationsHandComputed) {
-  // The estimated body turns by 0.1 rad and moves 0.5 m too far in its last step.
-  ObjectTruth truth = TruthOf(3);
-  AddBody(truth, Line(3));
-  ObjectEstimate estimate = PerfectEstimate(truth);
-  estimate.clusters[0].frames[2].world_from_object = Pose({0, 0, 0.1}, {2.5, 0, 0});
-  const auto metrics = Evaluate(truth, estimate);
-  EXPECT_NEAR(Value(metrics, "object_rrpe_1_frame"), std::sqrt(0.01 / 2.0), 1e-9);
-  EXPECT_NEAR(Value(metrics, "object_motion_r"), std::sqrt(0.01 / 2.0), 1e-9);
-  EXPECT_NEAR(Value(metrics, "object_rrpe_all_pairs"), std::sqrt(4 * 0.01 / 6.0), 1e-9);
-  EXPECT_EQ(Count(metrics, "object_rrpe_all_pairs"), 1);  // one body
-}
-
 TEST(ObjectMetrics, HandComputed) {
   ObjectTruth truth = TruthOf(4);
   AddBody(truth, Line(4));
@@ -111,14 +98,6 @@ TEST(ObjectMetrics, HandComputed) {
   EXPECT_NEAR(Value(metrics, "object_trpe_all_pairs"),
               std::sqrt((2 * 0.01 + 2 * 0.0324 + 0.0064) / 6.0), 1e-12);
   EXPECT_NEAR(Value(metrics, "object_velocity"), 0.0, 1e-12);
-}
-
-TEST(ObjectMetrics, AConstantOffsetAndRotationOfTheClusterFrameDoNotCount) {
-  ObjectTruth truth = TruthOf(4);
-  AddBody(truth, Line(4));
-  const ObjectEstimate estimate =
-      Restate(PerfectEstimate(truth), RigidTransform(), {Pose({0.3, -1.0, 2.0}, {0.5, 0.2, -0.1})});
-  EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_ate"), 0.0, 1e-12);
 }
 
 TEST(ObjectMetrics, TheWorldIsAlignedByTheCameraAlone) {
@@ -213,17 +192,6 @@ TEST(ObjectMetrics, VelocityIsThatOfTheGivenPoint) {
   const double middle = std::sin(0.2) / 0.1, side = 2.0 * std::sin(0.1) / 0.1;
   EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_velocity"),
               std::sqrt((middle * middle + 2 * side * side) / 3.0), 1e-9);
-}
-
-TEST(ObjectMetrics, VelocityErrorIsInMetresPerSecond) {
-  ObjectTruth truth = TruthOf(3);
-  AddBody(truth, Line(3));  // 1 m in 0.1 s
-  ObjectEstimate estimate = PerfectEstimate(truth);
-  for (ClusterFrame& frame : estimate.clusters[0].frames) {
-    EXPECT_NEAR(frame.velocity_m_s->x(), 10.0, 1e-12);
-    frame.velocity_m_s->setZero();
-  }
-  EXPECT_NEAR(Value(Evaluate(truth, estimate), "object_velocity"), 10.0, 1e-9);
 }
 
 }  // namespace

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// What pictures are drawn from: the images and detections of runs, and trajectories of files and
+// runs.
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text_file.h"
+#include "core/record/run_summary.h"
+#include "experiments/cli/reports/reports.h"
+#include "experiments/datasets/images.h"
+#include "experiments/datasets/sequence_parts.h"
+#include "experiments/metrics/trajectory.h"
+#include "experiments/runner/frame_detections.h"
+#include "experiments/runner/identity.h"
+
+namespace cvo {
+namespace {
+
+constexpr std::array<const char*, 4> kDetections = {"good", "oracle", "poor",
+                                                    kDetectionsFromLabels};
+
+SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& folder) {
+  SequenceRequest request;
+  request.folder = folder.empty() ? run.detail.timing.paths.sequence : folder;
+  request.type = run.sequence.type;
+  request.pair = run.sequence.pair;
+  if (run.sequence.layout) request.layout = *run.sequence.layout;
+  request.begin_frame = run.sequence.first_frame;
+  request.end_frame = run.sequence.first_frame + run.sequence.frames;
+  return request;
+}
+
+// Candidate sources of the run's boxes: the file that the run says it read, then whatever its
+// folder may contain.
+std::vector<BoxSources> SourcesOf(const reports::RunPaths& paths) {
+  const std::string labels = paths.labels.value_or("");
+  std::vector<BoxSources> sources;
+  if (paths.detections) {
+    sources.push_back({labels, *paths.detections, paths.detections_camera.value_or(-1),
+                       paths.min_score.value_or(BoxSources().min_score)});
+  }
+  for (const char* name : kDetections) sources.push_back({labels, name});
+  return sources;
+}
+
+Sequence OpenImages(const reports::OverlayRun& run, const std::string& folder) {
+  const SequenceRequest request = RequestOf(run, folder);
+  if (request.folder.empty()) {
+    ThrowError("the images of " + run.sequence.name, "no folder in the run's timing.json",
+               "a folder, or --sequence FOLDER");
+  }
+  try {
+    return OpenSequence(request);
+  } catch (const Error& error) {
+    if (!folder.empty()) throw;
+    throw Error(StrCat("the images of ", run.sequence.name,
+                       " are not in the folder that the run read them from: ", error.what(),
+                       "; give their folder with --sequence FOLDER"));
+  }
+}
+
+}  // namespace
+
+RunImages::RunImages(const reports::OverlayRun& run, const std::string& folder)
+    : sequence_(OpenImages(run, folder)) {
+  const StereoCamera& camera = sequence_.camera;
+  if (camera.width_px != run.sequence.camera.width_px ||
+      camera.height_px != run.sequence.camera.height_px) {
+    ThrowError(sequence_.folder.string(),
+               StrCat("images of ", camera.width_px, "x", camera.height_px, " pixels"),
+               StrCat(run.sequence.camera.width_px, "x", run.sequence.camera.height_px,
+                      ", as the run of ", run.sequence.name, " had"));
+  }
+}
+
+cv::Mat RunImages::Left(int frame) const {
+  const auto index = static_cast<std::size_t>(frame - sequence_.first_frame);
+  return LoadFrameImage(sequence_, index, 0).grey;
+}
+
+std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run) {
+  for (const BoxSources& source : SourcesOf(run.detail.timing.paths)) {
+    SequenceRequest request = RequestOf(run, folder);
+    request.detections_file = source.detections;
+    request.detections_camera = source.detections_camera;
+    request.min_score = source.min_score;
+    request.labels_file = source.labels;
+    try {
+      Sequence sequence = OpenSequence(request);
+      if (DetectionsHash(sequence) == run.sequence.detections_hash) return sequence;
+    } catch (const Error&) {  // the folder lacks this level, or files have moved
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
+                                                 const std::vector<std::string>& classes) {
+  std::vector<std::vector<Detection>> detections;
+  for (const std::vector<ObjectBox>& boxes : DetectionsByFrame(sequence)) {
+    DetectionCounts counts;
+    detections.push_back(DetectionsOfFrame(boxes, {sequence.camera, 0.0}, {}, classes, counts));
+  }
+  return detections;
+}
+
+bool AddDetections(const std::string& folder, reports::OverlayRun& run) {
+  const std::optional<Sequence> sequence = FindDetections(folder, run);
+  if (!sequence) return false;
+  const auto frames = DetectionsOf(*sequence, run.classes);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    for (const Detection& detection : frames[i]) {
+      const ImageBox& box = detection.box;
+      run.detections[sequence->first_frame + static_cast<int>(i)].push_back(
+          {box.left_px, box.top_px, box.right_px, box.bottom_px});
+    }
+  }
+  return true;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kStep_ns = 1'000'000'000;  // between poses without timestamps
+
+bool HasCommas(const fs::path& path) {
+  const TextFile file(path);
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    if (!file.line(i).empty() && !file.line(i).starts_with('#')) {
+      return file.line(i).find(',') != std::string::npos;
+    }
+  }
+  return false;
+}
+
+Trajectory ReadKittiTrajectory(const fs::path& path) {
+  Trajectory trajectory;
+  for (const RigidTransform& pose : ReadKittiPoses(path)) {
+    trajectory.push_back({static_cast<std::int64_t>(trajectory.size()) * kStep_ns, pose});
+  }
+  return trajectory;
+}
+
+RigidTransform TransformOf(const reports::Pose& pose) {
+  return {Eigen::Quaterniond(pose[6], pose[3], pose[4], pose[5]),
+          Eigen::Vector3d(pose[0], pose[1], pose[2])};
+}
+
+PlotInput ReadRunInput(const std::string& path) {
+  const fs::path result = fs::path(path) / "result.json";
+  if (!fs::exists(result)) {
+    ThrowError(path, "a folder without result.json or plan.json",
+               "the output folder of a run or of a suite, or a trajectory file");
+  }
+  const reports::RunSummary run = reports::ReadRun(result, {});
+  reports::RunDetail detail = reports::ReadRunDetail(path);
+  PlotInput input{path, run.variant, run.sequence.name, {}, true, true, {}, {}};
+  for (const reports::CameraFrame& frame : detail.camera) {
+    if (frame.truth) input.truth.push_back({frame.timestamp_ns, TransformOf(*frame.truth)});
+    if (frame.status == "skipped") continue;
+    input.poses.push_back({frame.timestamp_ns, TransformOf(frame.world_from_camera)});
+  }
+  input.bodies = std::move(detail.bodies);
+  return input;
+}
+
+}  // namespace
+
+double Seconds(std::int64_t time_ns) { return 1e-9 * static_cast<double>(time_ns); }
+
+PlotInput ReadPlotInput(const std::string& path) {
+  PlotInput input;
+  if (fs::is_directory(path)) {
+    input = ReadRunInput(path);
+  } else {
+    input.path = path;
+    input.name = fs::path(path).stem().string();
+    if (HasCommas(path)) {
+      input.poses = ReadEurocPoses(path);
+    } else {
+      input.timed = DetectPoseFormat(path) == "tum";
+      input.camera_axes = !input.timed;
+      input.poses = input.timed ? ReadTumTrajectory(path) : ReadKittiTrajectory(path);
+    }
+  }
+  if (input.poses.empty()) ThrowError(path, "no pose", "a trajectory");
+  return input;
+}
+
+void MakeComparable(std::vector<PlotInput>& inputs) {
+  std::vector<std::string> names;
+  std::vector<std::string> paths;
+  for (const PlotInput& input : inputs) {
+    names.push_back(input.name);
+    paths.push_back(input.path);
+  }
+  names = UniqueNames(names, paths);
+  for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].name = names[i];
+  const auto counted = std::find_if(inputs.begin(), inputs.end(),
+                                    [](const PlotInput& input) { return !input.timed; });
+  if (counted == inputs.end()) return;
+  for (PlotInput& input : inputs) {
+    if (input.poses.size() != counted->poses.size()) {
+      ThrowError(input.path, StrCat(input.poses.size(), " poses"),
+                 StrCat(counted->poses.size(), ", as many as ", counted->path,
+                        " (KITTI files have no times to match by)"));
+    }
+    if (input.timed && input.truth.size() != input.poses.size()) input.truth.clear();
+    input.timed = false;
+    for (std::size_t i = 0; i < input.poses.size(); ++i) {
+      input.poses[i].timestamp_ns = static_cast<std::int64_t>(i) * kStep_ns;
+      if (!input.truth.empty()) input.truth[i].timestamp_ns = input.poses[i].timestamp_ns;
+    }
+  }
+}
+
+std::optional<PlotReference> ReferenceAmong(const std::vector<PlotInput>& inputs) {
+  for (const PlotInput& input : inputs) {
+    if (input.truth.empty()) continue;
+    return PlotReference{"truth of " + input.sequence, input.truth, true, true};
+  }
+  if (inputs.size() < 2) return std::nullopt;
+  return PlotReference{inputs.front().name, inputs.front().poses, false, false};
+}
+
+PlotTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
+                     const PlotMatching& matching) {
+  const TimeAssociation association =
+      AssociateByTime(reference.poses, input.poses, matching.tolerance_ns);
+  if (association.pairs.size() < 2) {
+    ThrowError(input.path,
+               StrCat(association.pairs.size(), " poses that match one of ", reference.name),
+               StrCat("2 or more within ", Seconds(matching.tolerance_ns), " s"));
+  }
+  PlotTrack track{.name = input.name, .matched = association.pairs.size()};
+  CommonPoses poses;
+  for (const auto& [i, k] : association.pairs) {
+    poses.frames.push_back(static_cast<int>(i));
+    poses.truth.push_back(reference.poses[i].world_from_camera);
+    poses.estimate.push_back(input.poses[k].world_from_camera);
+    track.times_s.push_back(Seconds(input.poses[k].timestamp_ns));
+  }
+  const Eigen::Vector3d up =
+      matching.z_up ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
+  const Similarity moved = AlignTrajectory(poses, matching.alignment, up);
+  track.scale = moved.scale;
+  for (const TimedPose& pose : input.poses) {
+    track.poses.push_back({pose.timestamp_ns, moved * pose.world_from_camera});
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    track.errors_m.push_back(
+        (moved * poses.estimate[i].translation() - poses.truth[i].translation()).norm());
+  }
+  for (const double error_rad : OrientationErrors(poses, matching.alignment, moved)) {
+    track.errors_deg.push_back(error_rad * 180.0 / std::numbers::pi);
+  }
+  return track;
+}
+
+}  // namespace cvo

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/interface/frame.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/metrics/trajectory.h"
+#include "reports/figures/suite_figures.h"
+#include "reports/overlays/overlay_run.h"
+#include "reports/runs/run_detail.h"
+#include "reports/tables/make_table.h"
+
+namespace cvo {
+
+// How a table is printed, and where.
+struct TableFormat {
+  std::string format = "terminal";
+  std::string output;   // a file; empty: standard output
+  bool longer = false;  // CSV: one record per cell
+
+  // Adds --format, --output and --long.
+  void AddTo(CLI::App& app);
+  // Throws a command-line error if the flags do not go together.
+  void Check() const;
+};
+
+// Prints the table, or writes it to its file, which must not be one of `read`, and reports the
+// file's name. `after`: text that follows the table in the terminal format.
+void OutputTable(const reports::Table& table, const TableFormat& format,
+                 const std::vector<std::filesystem::path>& read, std::string after = "");
+
+// The default values of the estimator's options, as nested JSON.
+std::string DefaultOptions();
+
+struct ReportFlags {
+  std::string folder;
+  std::vector<std::string> runs = {};  // on one sequence, instead of a suite's folder
+  std::string out = {};                // empty: the subfolder "report"
+  std::string against = {};
+  int every = 0;
+  bool no_images = false;
+};
+
+// Writes the page of a suite's results. Returns 1 if a whole section could not be made, else 0.
+int WriteReport(const ReportFlags& flags);
+
+struct OverlayFlags {
+  std::vector<std::string> runs = {};
+  std::string suite = {};
+  std::string sequence = {};
+  std::string variants = "full";
+  std::optional<std::uint64_t> seed = {};
+  std::string output = {};
+  int frame = -1;
+  std::string frames = {};
+  int every = 1;
+  double scale = 1.0;
+  std::string labels = {};
+  bool sheet = false;
+  bool video = false;
+  bool no_images = false;
+  bool no_inset = false;
+  bool quiet = false;
+};
+
+// Draws runs on their images. Returns the exit code. Throws Error.
+int DrawOverlays(const OverlayFlags& flags);
+
+// The flags --width, --font and --font-size.
+void AddChartStyle(CLI::App& app, reports::ChartStyle& style);
+
+// The content of a file with the figure, its title and its caption. `format` is "svg" or "pdf",
+// which rsvg-convert makes. Throws Error if that is not in PATH, or fails.
+std::string FigureFile(const reports::Figure& figure, const reports::ChartStyle& style,
+                       const std::string& format);
+
+struct SuiteFigureFlags {
+  std::string folder;  // of the suite
+  std::string output;  // a folder
+  std::string format = "svg";
+  std::string only;  // the name of a figure; empty: all
+  reports::ChartStyle style;
+};
+
+// Writes the figures of a suite, and prints their titles and why others were not drawn. Returns 0.
+int WriteFigures(const SuiteFigureFlags& flags);
+
+// The left images of a run.
+class RunImages {
+ public:
+  // `folder`: of the sequence; empty: where the run found it. Throws Error if the folder no longer
+  // exists, lacks frames of the run or has images of another size.
+  RunImages(const reports::OverlayRun& run, const std::string& folder);
+
+  // Returns the grey image of a frame, as numbered in the sequence's folder. Empty if the image
+  // cannot be decoded.
+  cv::Mat Left(int frame) const;
+
+ private:
+  Sequence sequence_;
+};
+
+// Opens the sequence of a run, in `folder` or, if that is empty, where the run found it, with the
+// detections that the run was given: those of the file that the run read, of a detector level of
+// the scene or of the labels, whichever has the hash in the result. Empty if none of them has.
+std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run);
+
+// Returns the detections of these classes, by frame. Boxes of another camera stay where they were
+// detected, since the depth by which the run moved them is not known.
+std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
+                                                 const std::vector<std::string>& classes);
+
+// Adds the detections that FindDetections finds to the run. Returns false if it finds none.
+bool AddDetections(const std::string& folder, reports::OverlayRun& run);
+
+// A trajectory file, or the camera trajectory of a run.
+struct PlotInput {
+  std::string path;
+  std::string name;                         // stem of the file's name, or variant of the run
+  std::string sequence;                     // runs only
+  Trajectory poses;                         // row i of a KITTI file is at time i s
+  bool timed = true;                        // false for a KITTI file
+  bool camera_axes = false;                 // y is known to point down: runs and KITTI files
+  Trajectory truth;                         // runs only, in the world of the run; may be empty
+  std::vector<reports::BodyDetail> bodies;  // runs only
+};
+
+// Reads a trajectory. A folder is a run; a file with commas is in EuRoC's format, one with 8
+// columns in TUM's and one with 12 in KITTI's. Throws Error naming the file, the line and what was
+// expected.
+PlotInput ReadPlotInput(const std::string& path);
+
+// Makes the names unique and the times comparable: if one of the inputs is a KITTI file, all poses
+// are matched by their position in the file, and Error is thrown if the numbers of poses differ.
+void MakeComparable(std::vector<PlotInput>& inputs);
+
+// The trajectory that others are aligned with and compared to.
+struct PlotReference {
+  std::string name;
+  Trajectory poses;
+  bool is_truth = true;  // false: it is the first trajectory
+  bool of_run = false;   // it is the truth of a run, in the world of that run
+};
+
+// Returns the truth of the first run that has one, otherwise the first of several trajectories,
+// otherwise nothing.
+std::optional<PlotReference> ReferenceAmong(const std::vector<PlotInput>& inputs);
+
+struct PlotMatching {
+  TrajectoryAlignment alignment = TrajectoryAlignment::kSe3;
+  bool z_up = false;  // of the world; otherwise y points down
+  std::int64_t tolerance_ns = 0;
+};
+
+// A trajectory as it is drawn and, if it was compared to a reference, its errors.
+struct PlotTrack {
+  std::string name;
+  Trajectory poses = {};             // aligned with the reference
+  std::size_t matched = 0;           // number of matched poses; 0: not compared
+  std::vector<double> times_s = {};  // of the matched poses
+  std::vector<double> errors_m = {};
+  std::vector<double> errors_deg = {};
+  double scale = 1.0;
+};
+
+// Aligns a trajectory with the reference and computes its errors. Throws Error if fewer than two
+// poses match.
+PlotTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
+                     const PlotMatching& matching);
+
+double Seconds(std::int64_t time_ns);
+
+}  // namespace cvo

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// clustervo experiment table, and the figures of a suite for clustervo plot.
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/atomic_file.h"
+#include "core/files/json/options_json.h"
+#include "core/files/text/closest_names.h"
+#include "core/files/text_file.h"
+#include "core/interface/options.h"
+#include "experiments/cli/command.h"
+#include "experiments/cli/reports/reports.h"
+#include "experiments/suite/engine.h"
+#include "reports/runs/suite_times.h"
+#include "reports/tables/make_table.h"
+#include "reports/tables/table_texts.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Characters per line of the terminal; 0 if unknown.
+std::size_t TerminalWidth() {
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+std::string Rendered(const reports::Table& table, const TableFormat& format) {
+  if (format.format == "markdown") return reports::TableMarkdown(table);
+  if (format.format == "csv") {
+    return format.longer ? reports::TableLongCsv(table) : reports::TableCsv(table);
+  }
+  if (format.format == "latex") return reports::TableLatex(table);
+  if (!format.output.empty() || isatty(STDOUT_FILENO) == 0) {
+    return reports::TableText(table, false);
+  }
+  return reports::TableText(table, true, TerminalWidth());
+}
+
+// Makes and prints the table of a suite's output folder. In the terminal format, also writes
+// table.json and table.md there, unless `compared_with` names another reference row than the
+// suite's (see MakeTable). Returns 0 if all jobs that can run have run, 1 if some failed or have
+// not run yet. Throws Error if there is no plan.
+int OutputSuiteTable(const fs::path& folder, const TableFormat& format,
+                     const std::string& compared_with) {
+  CheckNoCollection(folder);
+  const reports::Table table =
+      reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions(), compared_with);
+  const bool is_kept = format.format == "terminal" && compared_with.empty();
+  if (is_kept) {
+    WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
+                                  {"table.json", reports::TableJson(table)}});
+  }
+  OutputTable(table, format, {folder / "plan.json"});
+  if (is_kept) {
+    std::cout << (format.output.empty() ? "\n" : "")
+              << "written: " << (folder / "table.json").string()
+              << " and table.md, with the definitions of the columns\n";
+  }
+  return reports::IsComplete(table) ? 0 : kIncomplete;
+}
+
+struct TableFlags {
+  std::string folder;
+  std::string from;
+  std::string reference;
+  bool times = false;
+  TableFormat format;
+};
+
+// Medians over the runs of a row; stages are means over frames.
+int PrintTimes(const std::string& folder) {
+  CheckNoCollection(folder);
+  const reports::SuiteTimes times = reports::ReadSuiteTimes(folder);
+  TextTable table(times.table.front());
+  for (std::size_t i = 1; i < times.table.size(); ++i) table.Add(times.table[i]);
+  table.Print(std::cout);
+  std::cout << "machine: " << Joined(times.machines, "; ") << '\n';
+  return 0;
+}
+
+int OutputTableOf(const TableFlags& flags) {
+  if (flags.times) return PrintTimes(flags.folder);
+  if (flags.from.empty()) return OutputSuiteTable(flags.folder, flags.format, flags.reference);
+  OutputTable(reports::ReadTable(ReadFileBytes(flags.from), flags.from), flags.format,
+              {flags.from});
+  return 0;
+}
+
+}  // namespace
+
+void TableFormat::AddTo(CLI::App& app) {
+  const FlagAdder add{app};
+  add("--format", format, "NAME", "output format of the table")
+      ->check(OneOf({"terminal", "markdown", "csv", "latex"}))
+      ->capture_default_str();
+  add("-o,--output", output, "FILE", "write the table to this file instead of printing it");
+  app.add_flag("--long", longer, "csv: one record per cell, with all its fields");
+}
+
+void TableFormat::Check() const {
+  if (longer && format != "csv") throw CLI::ValidationError("--long", "requires --format csv");
+}
+
+void OutputTable(const reports::Table& table, const TableFormat& format,
+                 const std::vector<fs::path>& read, std::string after) {
+  const std::string text = Rendered(table, format);
+  if (format.format != "terminal") after.clear();
+  if (format.output.empty()) {
+    std::cout.flush();
+    std::fputs(text.c_str(), stdout);  // not std::cout: CleanOutput removes terminal codes
+    std::cout << after;
+    return;
+  }
+  WriteOutputFile(format.output, text + after, read);
+  std::cout << "written: " << format.output << '\n';
+}
+
+std::string DefaultOptions() {
+  Options options;
+  return DumpJson(OptionsToJson(OptionLeaves(options)));
+}
+
+Command AddExperimentTableCommand(CLI::App& experiment) {
+  CLI::App* app = experiment.add_subcommand(
+      "table", "Print and write the table of a suite's results so far, with confidence intervals");
+  const FlagAdder add{*app};
+  const auto flags = std::make_shared<TableFlags>();
+  CLI::Option* folder = add("DIR", flags->folder, "", "output folder of the suite");
+  add("--from", flags->from, "FILE", "table.json to read instead of DIR, without the results")
+      ->excludes(folder);
+  add("--reference", flags->reference, "ROW",
+      "row that the others are compared with, a variant or key=value; default: the "
+      "suite's; with it, DIR is not written to")
+      ->needs(folder);
+  flags->format.AddTo(*app);
+  app->add_flag("--times", flags->times,
+                "instead print frames per second and the time of each stage of the runs")
+      ->needs(folder);
+  app->footer(
+      "Every row states how many of its runs it is based on. With format terminal, "
+      "DIR/table.json\nand DIR/table.md are written too; csv has all digits; latex is a tabular "
+      "for \\input.\nExit code 1 if jobs failed or have not run yet; absent sequences are "
+      "listed.\nTimes are medians over the runs of a row, of stages means over frames. They are "
+      "comparable only\nif every run had the machine to itself, as in a suite with timed_threads, "
+      "which runs one job at a\ntime without cached features.\n"
+      "Examples:\n"
+      "  clustervo experiment table results/ablation --format latex -o ablation.tex\n"
+      "  clustervo experiment table results/timing --times");
+  app->callback([app, flags] {
+    flags->format.Check();
+    if (flags->folder.empty() && flags->from.empty()) throw CLI::RequiredError("DIR or --from");
+    if (!flags->times) return;
+    RefuseFlags(*app, {"--reference", "--format", "--output", "--long"},
+                "does not apply with --times");
+  });
+  return {app, [flags] { return OutputTableOf(*flags); }};
+}
+
+namespace {
+
+// The date in the PDF is fixed, so that the same figure gives the same bytes.
+std::string ToPdf(const std::string& svg) {
+  constexpr int kNotFound = 127;
+  const ScratchFolder scratch;
+  const std::string file = (scratch.path() / "figure.svg").string();
+  WriteFileBytes(file, svg);
+  const Captured made =
+      Capture({"/usr/bin/env", "SOURCE_DATE_EPOCH=946684800", "rsvg-convert", "-f", "pdf", file},
+              [](const Captured&) { return false; });
+  if (made.exit_code == kNotFound) {
+    ThrowError("pdf", "no rsvg-convert in PATH", "it (Debian: apt install librsvg2-bin), or svg");
+  }
+  if (made.exit_code != 0 || !made.out.starts_with("%PDF-")) {
+    ThrowError("rsvg-convert", StrCat("exit code ", made.exit_code, ", ", Quoted(made.err)),
+               "a PDF");
+  }
+  return made.out;
+}
+
+void KeepOnly(const std::string& name, reports::SuiteFigures& drawn) {
+  std::vector<std::string> names;
+  for (const reports::Figure& figure : drawn.figures) names.push_back(figure.name);
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    ThrowError("--only", StrCat("\"", name, "\"", DidYouMean(name, names)),
+               "one of: " + Joined(names, ", "));
+  }
+  std::erase_if(drawn.figures, [&](const auto& figure) { return figure.name != name; });
+  drawn.not_drawn.clear();
+}
+
+}  // namespace
+
+void AddChartStyle(CLI::App& app, reports::ChartStyle& style) {
+  const FlagAdder add{app};
+  add("--width", style.width_mm, "MM", "width of a full figure, in mm")
+      ->check(Within(60.0, 1000.0))
+      ->capture_default_str();
+  add("--font", style.font, "NAMES", "font families, in order of preference")
+      ->capture_default_str();
+  add("--font-size", style.font_size_pt, "PT", "size of the font, in pt")
+      ->check(Within(4.0, 40.0))
+      ->capture_default_str();
+}
+
+std::string FigureFile(const reports::Figure& figure, const reports::ChartStyle& style,
+                       const std::string& format) {
+  reports::Chart chart = figure.chart;
+  chart.title = figure.title;
+  chart.caption = figure.caption;
+  const std::string svg = reports::ChartSvg(chart, style);
+  return format == "pdf" ? ToPdf(svg) : svg;
+}
+
+int WriteFigures(const SuiteFigureFlags& flags) {
+  const reports::Table table =
+      reports::MakeTable(flags.folder, reports::ShippedReference(), DefaultOptions());
+  reports::SuiteFigures drawn =
+      reports::MakeSuiteFigures(reports::ReadSuiteData(flags.folder, table));
+  if (!flags.only.empty()) KeepOnly(flags.only, drawn);
+  const OutputFolder out = OpenOutput(flags.output, {}, {flags.folder});
+  std::vector<NamedContent> files;
+  for (const reports::Figure& figure : drawn.figures) {
+    files.push_back(
+        {figure.name + "." + flags.format, FigureFile(figure, flags.style, flags.format)});
+  }
+  if (!files.empty()) WriteFilesAtomically(out.path(), files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::cout << (out.path() / files[i].name).string() << ": " << drawn.figures[i].title << '\n';
+  }
+  for (const std::string& reason : drawn.not_drawn) std::cout << "not drawn: " << reason << '\n';
+  return 0;
+}
+
+}  // namespace cvo

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Core>
+#include <filesystem>
+#include <iosfwd>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/datasets/import/import_stereo.h"
+#include "experiments/datasets/sequence.h"
+#include "experiments/metrics/pose_errors.h"
+#include "experiments/runner/run_result.h"
+#include "experiments/runner/score_run.h"
+
+namespace cvo {
+
+inline constexpr const char* kSequenceMissing =
+    "no sequence: give a folder, or --left, --right and --calib";
+
+// Flags that select the sequence to read, and the part of it.
+struct SequenceFlags : SequenceRequest {
+  std::string frames;        // "A:B"
+  std::string layout_flag;   // JSON, or a file
+  StereoImport stereo = {};  // instead of the folder, if --left is given
+
+  void AddTo(CLI::App& app);
+  // Adds --type and --layout.
+  void AddLayoutTo(CLI::App& app);
+  // Adds only the flags that select the part to read and its ground truth. The caller provides the
+  // folder and --groundtruth.
+  void AddTruthTo(CLI::App& app);
+  // Images given by --left and --right are first imported into the cache, with progress on stderr
+  // unless `quiet`. Throws Error for an invalid range of frames, UsageError if no sequence or both
+  // kinds of sequence are given.
+  SequenceRequest Request(bool quiet = false) const;
+  // Files and folders that the user named and that are not part of a sequence.
+  std::vector<std::filesystem::path> OwnInputs() const;
+};
+
+// Adds --left, --right, --calib, --times and --rate.
+void AddStereo(CLI::App& app, StereoImport& stereo);
+// Throws UsageError if --left, --right or --calib is missing.
+void CheckStereo(const StereoImport& stereo);
+// The files and folders of an import. Some paths may be empty.
+std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo);
+
+// What one stereo pair reveals about its calibration: corners matched by their appearance alone, at
+// any position in the images, so that a wrong rectification and swapped sides become visible.
+struct PairCheck {
+  struct Match {
+    Eigen::Vector2d left_px;
+    Eigen::Vector2d right_px;
+  };
+
+  int frame = 0;  // as numbered in the sequence's folder
+  cv::Mat left;   // grey
+  cv::Mat right;
+  std::vector<Match> matches;  // from top to bottom
+  // Medians over the matches: of |v_left - v_right| and of u_left - u_right.
+  double row_error_px = 0.0;
+  double disparity_px = 0.0;
+
+  // Why this is not a stereo pair: both images are the same, or the sides are swapped. Empty if it
+  // is one.
+  std::string Problem() const;
+  // Both images side by side, with some of the matches, and with the rows of their left corners
+  // drawn through both images.
+  cv::Mat Picture() const;
+};
+
+// Checks the middle frame of the sequence. Empty if it cannot be decoded or has too few matches.
+std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence);
+
+// Prints in one line how many boxes the estimator was given and why others were left out, or
+// nothing if no boxes were requested. A second line warns if some scores are negative, as margins
+// are.
+void PrintDetections(const Sequence& sequence, const DetectionCounts& counts, std::ostream& out);
+
+// Prints the metrics of refined and causal poses side by side, either all or the eight most
+// important, then a line per body.
+void PrintScores(const RunScores& scores, bool all, std::ostream& out);
+
+// Prints a line per body that is visible in some frame. `metrics`: those of these bodies.
+void PrintBodies(const std::vector<BodyScore>& bodies, const std::vector<Metric>& metrics,
+                 std::ostream& out);
+
+// Prints one metric per line: name, value, unit and number of errors.
+void PrintMetrics(const std::vector<Metric>& metrics, std::ostream& out);
+
+}  // namespace cvo

@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/datasets/detector_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/dnn.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/files/text/number.h"
+#include "core/files/text_file.h"
+
+namespace cvo {
+
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::array<int, 3> kCells_px = {8, 16, 32};
+
+int CellCount(const cv::Size& size) {
+  int count = 0;
+  for (const int cell : kCells_px) count += (size.width / cell) * (size.height / cell);
+  return count;
+}
+
+// The output as a matrix of floats with one box per row.
+cv::Mat RowsOf(const cv::Mat& output, OutputLayout layout) {
+  if (layout == OutputLayout::kDarknet) return output;
+  const cv::Mat plane(output.size[1], output.size[2], CV_32F, const_cast<uchar*>(output.data));
+  return layout == OutputLayout::kYolov8 ? cv::Mat(plane.t()) : plane;
+}
+
+struct CenteredBox {
+  double x, y, width, height;
+};
+
+// Decodes a box relative to its cell. The cells are ordered by size, the smallest first, then row
+// by row.
+CenteredBox FromCell(const CenteredBox& box, int row, const cv::Size& size) {
+  for (const int cell : kCells_px) {
+    const int columns = size.width / cell;
+    const int count = columns * (size.height / cell);
+    if (row >= count) {
+      row -= count;
+      continue;
+    }
+    return {(box.x + row % columns) * cell, (box.y + row / columns) * cell,
+            std::exp(box.width) * cell, std::exp(box.height) * cell};
+  }
+  throw Error("FromCell: no such cell");
+}
+
+CenteredBox ToPixels(const CenteredBox& box, OutputLayout layout, int row, const cv::Size& size) {
+  switch (layout) {
+    case OutputLayout::kDarknet:
+      return {box.x * size.width, box.y * size.height, box.width * size.width,
+              box.height * size.height};
+    case OutputLayout::kYolox:
+      return FromCell(box, row, size);
+    case OutputLayout::kYolov5:
+    case OutputLayout::kYolov8:
+      return box;
+  }
+  throw Error("OutputLayout: not one of the enumerators");
+}
+
+std::vector<std::string> ReadNames(const fs::path& path) {
+  const TextFile file(path);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < file.size(); ++i) names.push_back(KittiClass(file.line(i)));
+  if (names.empty()) ThrowError(path.string(), "no line", "the name of a class per line");
+  return names;
+}
+
+// Reads a size such as "width=960" of the section [net].
+int NetSize(const fs::path& cfg, const std::string& key) {
+  const TextFile file(cfg);
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    std::string line = file.line(i);
+    std::erase_if(line, [](char c) { return c == ' ' || c == '\t'; });
+    if (!line.starts_with(key + "=")) continue;
+    const std::optional<std::int64_t> value = ParseInteger(line.substr(key.size() + 1));
+    if (value && *value > 0 && *value <= 16'384) return static_cast<int>(*value);
+    ThrowError(file.Where(i), Quoted(line), key + " of 1 to 16384 px");
+  }
+  ThrowError(cfg.string(), "no " + key, key + "=<pixels> in section [net]");
+}
+
+// Returns call(). Replaces OpenCV's exceptions, whose messages contain its own source paths and
+// lines.
+template <typename Call>
+auto OrError(const fs::path& file, const char* expected, const Call& call) {
+  try {
+    return call();
+  } catch (const cv::Exception& exception) {
+    ThrowError(file.string(), Quoted(exception.err), expected);
+  }
+}
+
+cv::dnn::Net ReadNetwork(const DetectorFiles& files) {
+  if (files.model.extension() == ".onnx") {
+    const std::string bytes = ReadFileBytes(files.model);
+    return OrError(files.model, "an ONNX network that OpenCV reads",
+                   [&] { return cv::dnn::readNetFromONNX(bytes.data(), bytes.size()); });
+  }
+  if (files.model.extension() != ".cfg") {
+    ThrowError(files.model.string(), Quoted(files.model.extension().string()),
+               "a model .cfg (Darknet) or .onnx");
+  }
+  const fs::path weights_file =
+      files.weights.empty() ? fs::path(files.model).replace_extension(".weights") : files.weights;
+  const std::string cfg = ReadFileBytes(files.model);
+  const std::string weights = ReadFileBytes(weights_file);
+  constexpr std::size_t kHeaderBytes = 20;  // version and number of images seen
+  if (weights.size() <= kHeaderBytes) {
+    ThrowError(weights_file.string(), StrCat(weights.size(), " bytes"), "weights of Darknet");
+  }
+  return OrError(weights_file, "the weights of this Darknet network", [&] {
+    return cv::dnn::readNetFromDarknet(cfg.data(), cfg.size(), weights.data(), weights.size());
+  });
+}
+
+}  // namespace
+
+ImageBox Letterbox::ToImage(const ImageBox& in_input) const {
+  return {(in_input.left_px - offset_x_px) / scale, (in_input.top_px - offset_y_px) / scale,
+          (in_input.right_px - offset_x_px) / scale, (in_input.bottom_px - offset_y_px) / scale};
+}
+
+Letterbox FillInput(const cv::Mat& image, const cv::Size& size, Placement placement,
+                    cv::Mat& input) {
+  constexpr int kFill = 114;
+  Letterbox box;
+  box.scale = std::min(static_cast<double>(size.width) / image.cols,
+                       static_cast<double>(size.height) / image.rows);
+  const cv::Size scaled(std::max(1, static_cast<int>(std::lround(box.scale * image.cols))),
+                        std::max(1, static_cast<int>(std::lround(box.scale * image.rows))));
+  const cv::Point corner =
+      placement == Placement::kTopLeft
+          ? cv::Point(0, 0)
+          : cv::Point((size.width - scaled.width) / 2, (size.height - scaled.height) / 2);
+  box.offset_x_px = corner.x;
+  box.offset_y_px = corner.y;
+  input.create(size, CV_8UC3);
+  input.setTo(cv::Scalar::all(kFill));
+  cv::resize(image, input(cv::Rect(corner, scaled)), scaled, 0.0, 0.0, cv::INTER_LINEAR);
+  return box;
+}
+
+std::optional<OutputLayout> LayoutOf(const std::vector<int>& output_sizes, const cv::Size& size) {
+  if (output_sizes.size() == 2) return OutputLayout::kDarknet;
+  if (output_sizes.size() != 3 || output_sizes[0] != 1) return std::nullopt;
+  const int cells = CellCount(size);
+  if (output_sizes[1] == cells) return OutputLayout::kYolox;
+  if (output_sizes[1] == 3 * cells) return OutputLayout::kYolov5;
+  if (output_sizes[2] == cells) return OutputLayout::kYolov8;
+  return std::nullopt;
+}
+
+std::vector<RawBox> DecodeOutput(const cv::Mat& output, OutputLayout layout, const cv::Size& size,
+                                 int categories, double min_score) {
+  const cv::Mat rows = RowsOf(output, layout);
+  const bool has_objectness = layout != OutputLayout::kYolov8;
+  const int first = has_objectness ? 5 : 4;
+  if (rows.cols != first + categories) {
+    ThrowError("model", StrCat(rows.cols - first, " classes"),
+               StrCat(categories, ", as many as names"));
+  }
+  std::vector<RawBox> boxes;
+  for (int i = 0; i < rows.rows; ++i) {
+    const float* row = rows.ptr<float>(i);
+    const float* best = std::max_element(row + first, row + rows.cols);
+    // Darknet's class scores already include objectness.
+    const bool times_objectness = has_objectness && layout != OutputLayout::kDarknet;
+    const double score = *best * (times_objectness ? static_cast<double>(row[4]) : 1.0);
+    if (!(score >= min_score)) continue;
+    const CenteredBox box = ToPixels({row[0], row[1], row[2], row[3]}, layout, i, size);
+    boxes.push_back({{box.x - 0.5 * box.width, box.y - 0.5 * box.height, box.x + 0.5 * box.width,
+                      box.y + 0.5 * box.height},
+                     static_cast<int>(best - (row + first)),
+                     score});
+  }
+  return boxes;
+}
+
+std::vector<RawBox> SuppressOverlaps(std::vector<RawBox> boxes, double max_overlap) {
+  std::stable_sort(boxes.begin(), boxes.end(),
+                   [](const RawBox& a, const RawBox& b) { return a.score > b.score; });
+  std::vector<RawBox> kept;
+  for (const RawBox& box : boxes) {
+    const bool hidden = std::any_of(kept.begin(), kept.end(), [&](const RawBox& better) {
+      return better.category == box.category &&
+             IntersectionOverUnion(better.box, box.box) > max_overlap;
+    });
+    if (!hidden) kept.push_back(box);
+  }
+  return kept;
+}
+
+std::string KittiClass(const std::string& name) {
+  static const std::map<std::string, std::string> kClasses = {
+      {"car", "Car"},           {"truck", "Truck"},        {"bus", "Bus"},
+      {"train", "Tram"},        {"person", "Pedestrian"},  {"bicycle", "Cyclist"},
+      {"motorbike", "Cyclist"}, {"motorcycle", "Cyclist"}, {"chair", "Chair"},
+      {"sports ball", "Ball"}};
+  const auto found = kClasses.find(name);
+  return found == kClasses.end() ? name : found->second;
+}
+
+struct DetectorModel::Network {
+  DetectorFiles files;
+  cv::Size size;
+  std::vector<std::string> names;
+  cv::dnn::Net net;
+  std::vector<std::string> outputs;
+  OutputLayout layout = OutputLayout::kDarknet;
+
+  bool IsDarknet() const { return files.model.extension() == ".cfg"; }
+  // YOLOX was trained on values of 0 to 255 in BGR order.
+  bool IsYolox() const { return layout == OutputLayout::kYolox; }
+
+  std::vector<cv::Mat> Forward(const cv::Mat& input) {
+    net.setInput(cv::dnn::blobFromImage(input, IsYolox() ? 1.0 : 1.0 / 255.0, cv::Size(),
+                                        cv::Scalar(), !IsYolox()));
+    std::vector<cv::Mat> results;
+    OrError(files.model, "a network that runs on such an input", [&] {
+      net.forward(results, outputs);
+      return 0;
+    });
+    return results;
+  }
+
+  // Determines the layout of the outputs by running the network once on an empty image.
+  void FindLayout() {
+    const std::vector<cv::Mat> results = Forward(cv::Mat(size, CV_8UC3, cv::Scalar::all(0)));
+    for (const cv::Mat& result : results) {
+      const std::vector<int> sizes(result.size.p, result.size.p + result.dims);
+      const std::optional<OutputLayout> found = LayoutOf(sizes, size);
+      if (!found || result.type() != CV_32F || (*found == OutputLayout::kDarknet) != IsDarknet()) {
+        std::string text;
+        for (const int count : sizes) text += StrCat(text.empty() ? "" : " x ", count);
+        ThrowError(files.model.string(), "an output of " + text,
+                   StrCat("boxes of YOLO for an input of ", size.width, "x", size.height));
+      }
+      layout = *found;
+      DecodeOutput(result, layout, size, static_cast<int>(names.size()), 2.0);
+    }
+  }
+};
+
+DetectorModel::DetectorModel(const DetectorFiles& files) : network_(new Network) {
+  // Problems are reported once, by the exception.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  Network& network = *network_;
+  network.files = files;
+  network.names = ReadNames(files.names);
+  network.net = ReadNetwork(files);
+  network.net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+  network.net.setPreferableTarget(cv::dnn::DNN_TARGET_CPU);
+  network.outputs = network.net.getUnconnectedOutLayersNames();
+  network.size = files.input;
+  if (network.size.empty()) {
+    constexpr int kOnnxSize_px = 640;
+    network.size = network.IsDarknet()
+                       ? cv::Size(NetSize(files.model, "width"), NetSize(files.model, "height"))
+                       : cv::Size(kOnnxSize_px, kOnnxSize_px);
+  }
+  network.FindLayout();
+}
+
+DetectorModel::~DetectorModel() = default;
+
+std::vector<Detection> DetectorModel::Detect(const cv::Mat& image, const DetectorOptions& options) {
+  Network& network = *network_;
+  cv::Mat colour = image;
+  if (image.channels() == 1) cv::cvtColor(image, colour, cv::COLOR_GRAY2BGR);
+  cv::Mat input;
+  const Letterbox letterbox = FillInput(
+      colour, network.size, network.IsYolox() ? Placement::kTopLeft : Placement::kCentered, input);
+  std::vector<RawBox> boxes;
+  for (const cv::Mat& output : network.Forward(input)) {
+    const std::vector<RawBox> more =
+        DecodeOutput(output, network.layout, network.size, static_cast<int>(network.names.size()),
+                     options.min_score);
+    boxes.insert(boxes.end(), more.begin(), more.end());
+  }
+  std::vector<Detection> detections;
+  for (const RawBox& raw : SuppressOverlaps(std::move(boxes), options.max_overlap)) {
+    const ImageBox box = letterbox.ToImage(raw.box);
+    const ImageBox inside = {std::max(0.0, box.left_px), std::max(0.0, box.top_px),
+                             std::min(image.cols - 1.0, box.right_px),
+                             std::min(image.rows - 1.0, box.bottom_px)};
+    if (!(inside.Width() > 0.0) || !(inside.Height() > 0.0)) continue;
+    Detection detection;
+    detection.box = inside;
+    detection.category = network.names.at(static_cast<std::size_t>(raw.category));
+    detection.score = raw.score;
+    detections.push_back(std::move(detection));
+  }
+  return detections;
+}
+
+OutputLayout DetectorModel::layout() const { return network_->layout; }
+cv::Size DetectorModel::input() const { return network_->size; }
+
+}  // namespace cvo

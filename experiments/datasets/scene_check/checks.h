@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
+
+#include "core/base/task_pool.h"
+#include "experiments/datasets/formats/scene_truth.h"
+#include "experiments/datasets/scene_check/check_scene.h"
+#include "experiments/datasets/sequence.h"
+
+// What the groups of checks of CheckScene share.
+
+namespace cvo {
+
+// The folder of a rendered scene, with everything read except its images.
+struct SceneFolder {
+  std::filesystem::path path;
+  Sequence sequence;
+  std::vector<RigidTransform> world_from_left;  // [frame]
+  std::vector<std::vector<SceneBody>> bodies;   // [frame][id - 1]
+  std::vector<int> image_frames;                // frames whose images are compared, ascending
+
+  int frame_count() const { return static_cast<int>(sequence.images.size()); }
+  cv::Size size() const { return {sequence.camera.width_px, sequence.camera.height_px}; }
+  // Returns <path>/<folder>/<frame as %06d><extension>.
+  std::filesystem::path FileOf(const char* folder, int frame, const char* extension) const;
+  cv::Mat Depth(int frame) const { return ReadDepth(FileOf("depth_0", frame, ".tiff"), size()); }
+  cv::Mat Instances(int frame) const {
+    return ReadInstances(FileOf("instance_0", frame, ".png"), size());
+  }
+};
+
+// The largest figure seen so far, and where it was seen. NaN is larger than any number.
+struct Worst {
+  double figure = 0.0;
+  std::string where;
+
+  void Add(double candidate, const std::string& place);
+  // Returns the check that the largest figure is at most `limit`.
+  SceneCheck AtMost(const std::string& name, const std::string& unit, double limit) const;
+};
+
+// Returns results[i] = work(i), computed on all threads of the pool.
+template <typename Result, typename Work>
+std::vector<Result> ForAll(int count, TaskPool& pool, const Work& work) {
+  std::vector<Result> results(static_cast<std::size_t>(count));
+  pool.ParallelFor(count, [&](int i) { results[static_cast<std::size_t>(i)] = work(i); });
+  return results;
+}
+
+// Returns the upper median; 0 for no values.
+float MedianOf(std::vector<float> values);
+
+// Returns the point at a pixel, in the left camera. The pixel's depth must be positive.
+Eigen::Vector3d PointAt(const StereoCamera& camera, const cv::Mat& depth, int u, int v);
+
+// A pixel of one image and the predicted position of its point in another image.
+struct PixelPrediction {
+  int u = 0;
+  int v = 0;
+  double target_u = 0.0;
+  double target_v = 0.0;
+};
+
+// The common offset of all predictions: target(predicted + shift) = gain source + offset.
+struct ImageShift {
+  Eigen::Vector2d shift_px = Eigen::Vector2d::Zero();
+  // Inverse covariance of the shift for residuals of one grey level, with gain and offset
+  // marginalised.
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  double residual_sigma = 0.0;   // grey levels, robust estimate
+  int pixels = 0;                // number of pixels compared
+  std::vector<float> residuals;  // |target(predicted) - gain source - offset|, ascending
+
+  double MaxSigma_px() const;  // of the shift in its worst direction; infinite without texture
+};
+
+// Estimates the shift by Gauss-Newton on the intensities of CV_8UC1 images. Leaves out residuals
+// beyond three sigmas (or three grey levels, if that is more) and predictions nearer than three
+// pixels to the border of either image.
+ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
+                         const std::vector<PixelPrediction>& predictions);
+
+// Combines the shifts of many images, weighted by their information.
+ImageShift PoolShifts(const std::vector<ImageShift>& shifts);
+
+// Estimates the standard deviation of an image's noise in grey levels, from its flattest parts.
+double EstimateNoise(const cv::Mat& image);
+
+// The groups. Each throws Error for a file that it cannot read.
+
+// Compares the right images with those predicted from the left images and depth.
+std::vector<SceneCheck> CheckStereo(const SceneFolder& scene, TaskPool& pool);
+// Compares images and depth with those of the next frame, moved by the poses of camera and bodies.
+std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool);
+// Compares the poses of both cameras, and the velocities of bodies with their poses.
+std::vector<SceneCheck> CheckPoses(const SceneFolder& scene, TaskPool& pool);
+// Compares masks with 3D boxes, depth, visible boxes and pixel counts, in all frames.
+std::vector<SceneCheck> CheckMasks(const SceneFolder& scene, TaskPool& pool);
+
+}  // namespace cvo

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "core/base/error.h"
+#include "core/files/text/number.h"
+#include "experiments/datasets/formats/object_boxes.h"
+#include "experiments/metrics/boxes/average_precision.h"
+
+namespace cvo {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostFrames = 10'000'000;
+
+int LastFrame(const std::vector<ObjectBox>& boxes) {
+  int last = -1;
+  for (const ObjectBox& box : boxes) last = std::max(last, box.frame);
+  return last;
+}
+
+std::vector<ApFrame> ReadTracking(const fs::path& label_file, const fs::path& detection_file) {
+  const std::vector<ObjectBox> labels = ReadLabels(label_file, kMostFrames);
+  const std::vector<ObjectBox> detections = ReadDetections(detection_file, kMostFrames);
+  const int last = std::max(LastFrame(labels), LastFrame(detections));
+  std::vector<ApFrame> frames(static_cast<std::size_t>(last + 1));
+  for (const ObjectBox& box : labels) frames.at(box.frame).labels.push_back(box);
+  for (const ObjectBox& box : detections) frames.at(box.frame).detections.push_back(box);
+  return frames;
+}
+
+// Finds the files <number>.txt by number; other files are ignored.
+std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder) {
+  std::map<std::int64_t, fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::optional<std::int64_t> number = ParseInteger(entry.path().stem().string());
+    if (entry.path().extension() != ".txt" || !number || *number < 0) continue;
+    if (!files.emplace(*number, entry.path()).second) {
+      ThrowError(entry.path().string(), StrCat("a second file of image ", *number), "one");
+    }
+  }
+  return files;
+}
+
+std::vector<ApFrame> ReadObjects(const fs::path& label_folder, const fs::path& detection_folder) {
+  const auto labels = NumberedFiles(label_folder);
+  const auto detections = NumberedFiles(detection_folder);
+  if (labels.empty()) ThrowError(label_folder.string(), "no <number>.txt", "a file per image");
+  for (const auto& [number, file] : detections) {
+    if (!labels.contains(number)) {
+      ThrowError(file.string(), StrCat("detections of image ", number),
+                 "one that has a label file in " + label_folder.string());
+    }
+  }
+  std::vector<ApFrame> frames;
+  for (const auto& [number, file] : labels) {
+    const int index = static_cast<int>(frames.size());
+    ApFrame frame{ReadObjectFile(file, index), {}};
+    const auto found = detections.find(number);
+    if (found != detections.end()) frame.detections = ReadObjectFile(found->second, index);
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+// Throws Error if only some detections have scores. Without any, all score thresholds are equal;
+// with some, the ranking would be meaningless.
+void CheckScores(const std::vector<ApFrame>& frames, const fs::path& detections) {
+  std::size_t with = 0;
+  std::size_t all = 0;
+  for (const ApFrame& frame : frames) {
+    all += frame.detections.size();
+    with += static_cast<std::size_t>(std::count_if(frame.detections.begin(), frame.detections.end(),
+                                                   [](const auto& box) { return !!box.score; }));
+  }
+  if (with != 0 && with != all) {
+    ThrowError(detections.string(), StrCat("scores of ", with, " of ", all, " detections"),
+               "of all or of none");
+  }
+}
+
+}  // namespace
+
+std::vector<ApFrame> ReadApFrames(const fs::path& labels, const fs::path& detections,
+                                  const FrameRange& range) {
+  const bool folders = fs::is_directory(labels);
+  if (folders != fs::is_directory(detections)) {
+    ThrowError(detections.string(), folders ? "a file" : "a folder",
+               (folders ? "a folder, as " : "a file, as ") + labels.string());
+  }
+  std::vector<ApFrame> frames =
+      folders ? ReadObjects(labels, detections) : ReadTracking(labels, detections);
+  CheckScores(frames, detections);
+  const FrameRange within = ResolveFrameRange(range, static_cast<int>(frames.size()));
+  return {frames.begin() + within.begin, frames.begin() + within.end};
+}
+
+namespace {
+
+using enum reports::MetricId;
+
+struct SpaceMetrics {
+  BoxSpace space;
+  std::array<reports::MetricId, 3> levels;
+};
+constexpr std::array<SpaceMetrics, 2> kSpaces = {
+    {{BoxSpace::kBirdsEye, {kBoxApBvEasy, kBoxApBvModerate, kBoxApBvHard}},
+     {BoxSpace::kVolume, {kBoxAp3dEasy, kBoxAp3dModerate, kBoxAp3dHard}}}};
+
+std::vector<ApFrame> FramesOf(const Sequence& sequence, const std::vector<ObjectBox>& boxes) {
+  std::vector<ApFrame> frames(sequence.images.size());
+  const auto frame_of = [&](const ObjectBox& box) -> ApFrame& {
+    return frames.at(static_cast<std::size_t>(box.frame - sequence.first_frame));
+  };
+  for (const ObjectBox& label : sequence.labels) frame_of(label).labels.push_back(label);
+  for (const ObjectBox& box : boxes) frame_of(box).detections.push_back(box);
+  return frames;
+}
+
+}  // namespace
+
+bool TellsBoxes(const Sequence& sequence) {
+  return std::any_of(sequence.labels.begin(), sequence.labels.end(), [](const ObjectBox& label) {
+    return label.type == ApProtocol().category && label.box3d.has_value();
+  });
+}
+
+std::vector<Metric> BoxMetrics(const Sequence& sequence, const std::vector<ObjectBox>& boxes) {
+  if (!TellsBoxes(sequence)) return {};
+  ApProtocol protocol;
+  protocol.least_overlap = 0.25;
+  const std::vector<ApFrame> frames = FramesOf(sequence, boxes);
+  std::vector<Metric> metrics;
+  for (const SpaceMetrics& space : kSpaces) {
+    protocol.space = space.space;
+    for (const AveragePrecision& level : EvaluateAp(frames, protocol)) {
+      if (level.valid_labels == 0) continue;
+      const reports::MetricId id = space.levels.at(static_cast<std::size_t>(level.level));
+      Metric metric = MakeMetric({id}, level.ap11, level.valid_labels);
+      metric.contract.subject = reports::Subject::kCars;
+      metric.contract.truth = reports::TruthSource::kLabels;
+      metric.left_out = "nothing";
+      metrics.push_back(std::move(metric));
+    }
+  }
+  return metrics;
+}
+
+}  // namespace cvo

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/job_status.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/files/atomic_file.h"
+#include "core/record/run_summary.h"
+#include "core/record/suite_runs.h"
+#include "experiments/runner/run_result.h"
+#include "experiments/suite/collection.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string Holder(int fd) {
+  std::array<char, 400> text{};
+  const ssize_t size = ::pread(fd, text.data(), text.size(), 0);
+  const std::string holder(text.data(), static_cast<std::size_t>(size > 0 ? size : 0));
+  return holder.empty() ? "another process" : holder.substr(0, holder.find('\n'));
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const fs::path& file)
+    : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+  const int open_error = errno;
+  if (fd_ < 0) throw Error(StrCat(file.string(), ": cannot write: ", std::strerror(open_error)));
+  if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    const std::string holder = Holder(fd_);
+    ::close(fd_);
+    if (error != EWOULDBLOCK) {
+      throw Error(StrCat(file.string(), ": cannot lock: ", std::strerror(error)));
+    }
+    ThrowError(file.parent_path().string(), StrCat("in use by ", holder),
+               "a folder not in use by another run");
+  }
+  // Used only in the message above, so a full disk is no reason to fail.
+  const std::string me = StrCat("process ", ::getpid(), " on ", HostName(), '\n');
+  if (::ftruncate(fd_, 0) == 0) {
+    [[maybe_unused]] const ssize_t written = ::pwrite(fd_, me.data(), me.size(), 0);
+  }
+}
+
+FolderLock::~FolderLock() { ::close(fd_); }
+
+namespace {
+
+constexpr std::string_view kErrorPrefix = "clustervo: error: ";
+
+// Throws Error if tables and the gate would reject the result, or if it is that of another job.
+void CheckResult(const fs::path& file, const PlanJob& job) {
+  const reports::RunSummary run = reports::ReadRun(file, {});
+  reports::CheckRunOf(job, run);
+  if (run.status == ToString(RunStatus::kFailed)) {
+    throw Error(StrCat(file.string(), ": the estimator gave up: ", run.message));
+  }
+}
+
+std::string FailureMessage(const fs::path& file) {
+  try {
+    const std::string message = ReadRecord<reports::JobFailure>(file).message;
+    return message.empty() ? "failed, without a message in its record" : message;
+  } catch (const Error& error) {
+    return StrCat("failed, and its record cannot be read: ", error.what());
+  }
+}
+
+// Returns a limited part of the end of a file, starting at the beginning of a line.
+std::string Tail(const fs::path& file) {
+  constexpr std::streamoff kBytes = 4000;
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  if (!in) return "";
+  const std::streamoff size = in.tellg();
+  in.seekg(std::max<std::streamoff>(0, size - kBytes));
+  std::string text(static_cast<std::size_t>(std::min(size, kBytes)), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  const std::size_t line = text.find('\n');
+  return size > kBytes && line != std::string::npos ? text.substr(line + 1) : text;
+}
+
+// A scene can always be rendered, and a folder that was found was meant to be used, so a problem
+// with either is a failure and not missing data. A stale trajectory and a missing file of boxes,
+// labels or a network cannot be obtained, and count as missing data.
+JobStatus::State StateWithoutInput(const Plan& plan, const PlanJob& job) {
+  if (IsPending(job.missing)) return JobStatus::State::kMissing;
+  const bool absent = (plan.suite.sequences[job.entry].scene.empty() && job.folder.empty()) ||
+                      job.missing.starts_with(kStale) || job.missing.starts_with(kNoFile);
+  return absent ? JobStatus::State::kNoSequence : JobStatus::State::kFailed;
+}
+
+}  // namespace
+
+const char* ToString(JobStatus::State state) {
+  static constexpr std::array kNames = {"done", "failed", "missing", "no sequence"};
+  return kNames.at(static_cast<std::size_t>(state));
+}
+
+bool HasFiles(const SuiteFolder& folder, const PlanJob& job) {
+  const fs::path files = folder.job(job.job);
+  return fs::exists(files / "result.json") &&
+         (!job.landmarks || fs::exists(files / "landmarks.csv"));
+}
+
+std::string ProblemOfResult(const SuiteFolder& folder, const PlanJob& job) {
+  if (!HasFiles(folder, job)) return "ended without a result";
+  try {
+    CheckResult(folder.job(job.job) / "result.json", job);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+JobStatus StatusOf(const SuiteFolder& folder, const PlanJob& job) {
+  // A damaged result does not count: its job runs again.
+  if (ProblemOfResult(folder, job).empty()) return {JobStatus::State::kDone, ""};
+  const fs::path failure = folder.failure(job.job);
+  if (!fs::exists(failure)) return {JobStatus::State::kMissing, ""};
+  return {JobStatus::State::kFailed, FailureMessage(failure)};
+}
+
+std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan) {
+  std::map<std::string, JobStatus> known;
+  std::vector<JobStatus> all;
+  for (const PlanJob& job : plan.jobs) {
+    if (job.job.empty()) {
+      all.push_back({StateWithoutInput(plan, job), job.missing});
+      continue;
+    }
+    const auto [found, added] = known.try_emplace(job.job);
+    if (added) found->second = StatusOf(folder, job);
+    all.push_back(found->second);
+  }
+  return all;
+}
+
+void WriteFailure(const SuiteFolder& folder, const std::string& id, const std::string& message) {
+  const fs::path file = folder.failure(id);
+  const reports::JobFailure failure{id, message, Tail(folder.log(id))};
+  WriteFilesAtomically(file.parent_path(), {{file.filename().string(), FileText(failure)}});
+}
+
+std::string ErrorInLog(const fs::path& log) {
+  const std::string text = Tail(log);
+  const std::size_t found = text.rfind(kErrorPrefix);
+  if (found == std::string::npos) return "";
+  const std::size_t begin = found + kErrorPrefix.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+}  // namespace cvo

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/suite/run_plan.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/lists.h"
+#include "core/files/atomic_file.h"
+#include "experiments/runner/identity.h"
+#include "experiments/runner/run_job.h"
+#include "experiments/runner/system_run.h"
+#include "experiments/suite/job_input.h"
+#include "experiments/suite/plan_inputs.h"
+#include "variants/registry.h"
+
+namespace cvo {
+namespace {
+
+namespace fs = std::filesystem;
+
+const PlanJob& FindJob(const Plan& plan, const std::string& id, const SuiteFolder& folder) {
+  const PlanJob* found = FindBy(plan.jobs, &PlanJob::job, id);
+  if (id.empty() || found == nullptr) {
+    ThrowError(folder.plan().string(), StrCat("no job \"", id, "\""), "a job of the plan");
+  }
+  if (plan.build != ThisBuild().identity) {
+    ThrowError(folder.plan().string(), "a plan made by another build of this program",
+               "one made by this build, see clustervo experiment run");
+  }
+  return *found;
+}
+
+// The folder for the job's files, cleared of temporary files from killed tries.
+class JobFolder {
+ public:
+  JobFolder(const SuiteFolder& folder, const std::string& id)
+      : id_(id), output_(folder.job(id), RunFileNames()) {
+    RemoveTemporaries(path());
+    RemoveTemporaries(path() / "clusters");
+  }
+
+  const fs::path& path() const { return output_.path(); }
+
+  // Throws Error if the identity of the job as run differs from the planned one.
+  void CheckIdentity(const std::string& made, const Sequence& sequence) const {
+    if (made == id_) return;
+    RemoveResult();
+    ThrowError(sequence.folder.string(),
+               StrCat("files or processor level that differ from when the suite was planned (",
+                      ThisBuild().cpu_level, " here)"),
+               "no change since planning; clustervo experiment run makes a new plan");
+  }
+  void RemoveResult() const {
+    std::error_code ignored;  // a result of another identity does not count anyway
+    fs::remove(path() / "result.json", ignored);
+  }
+
+ private:
+  std::string id_;
+  OutputFolder output_;
+};
+
+void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
+                const JobCache& cache, const JobFolder& folder) {
+  RunRequest request{.sequence = sequence,
+                     .variant = FindVariant(job.variant),
+                     .options = OptionsOf(plan.suite, job.variant, job.parameters),
+                     .seed = job.seed,
+                     .threads = std::max(plan.suite.timed_threads, 1),
+                     .classes = ClassesOf(plan.suite.sequences[job.entry]),
+                     .oracle = OracleOf(job.oracle),
+                     .landmarks = job.landmarks};
+  if (plan.suite.timed_threads > 0) {
+    // A timed job extracts its features itself, so that they count in its time.
+    request.images = cache.ImagesOf(sequence, request.threads);
+  } else {
+    cache.Serve(request);
+  }
+  folder.CheckIdentity(IdentifyJob(request), sequence);
+  const std::optional<JobOutcome> outcome = RunJob(request, folder.path());
+  // The identity of the bytes that were processed, which may have changed since the first check.
+  folder.CheckIdentity(outcome->context.job, sequence);
+  if (outcome->run.status != RunStatus::kFailed) return;
+  folder.RemoveResult();
+  throw Error(outcome->run.message);
+}
+
+void RunSystem(const Plan& plan, const PlanJob& job, const Sequence& sequence,
+               const JobCache& cache, const JobFolder& folder) {
+  const SystemRequest request{.sequence = sequence,
+                              .content = ContentHash(sequence, cache.ImagesOf(sequence, 1)),
+                              .files = SystemFilesOf(plan.suite, job, plan.data, cache.folder()),
+                              .seed = job.seed};
+  folder.CheckIdentity(IdentifySystem(request), sequence);
+  ScoreSystem(request, folder.path());
+}
+
+}  // namespace
+
+void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder,
+                   const JobCache& cache) {
+  const PlanJob& job = FindJob(plan, id, folder);
+  const Sequence sequence = OpenSequence(RequestOf(plan.suite, job, plan.data));
+  RequireAsRendered(sequence, [&](const auto& files) { return cache.HashesOf(files, 1); });
+  const JobFolder output(folder, id);
+  (job.system.empty() ? RunVariant : RunSystem)(plan, job, sequence, cache, output);
+}
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Free space below which a disk counts as full: what running jobs may still write.
+constexpr std::uintmax_t kReserve_bytes = 16'000'000;
+constexpr std::chrono::milliseconds kRecheckInterval(200);
+
+void CheckSpace(const fs::path& root) {
+  std::error_code error;
+  const fs::space_info space = fs::space(root, error);
+  if (error || space.available >= kReserve_bytes) return;
+  ThrowError(root.string(),
+             StrCat("a full disk, ", std::floor(static_cast<double>(space.available) / 1e5) / 10.0,
+                    " MB free"),
+             StrCat("at least ", kReserve_bytes / 1'000'000, " MB; finished jobs are kept"));
+}
+
+void MakeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw Error(StrCat(folder.string(), ": cannot create: ", error.message()));
+}
+
+std::string MessageOf(const TaskEnd& end, const fs::path& log) {
+  const std::string error = end.message.starts_with("exit code") ? ErrorInLog(log) : "";
+  return error.empty() ? end.message : error;
+}
+
+// The jobs of the plan that are not done, each once, with the first job of each input listed
+// separately.
+struct Pending {
+  std::vector<const PlanJob*> first;
+  std::vector<const PlanJob*> rest;
+};
+
+Pending FindPending(const Plan& plan, const std::vector<JobStatus>& status) {
+  Pending pending;
+  std::set<std::string> jobs;
+  std::set<std::string> inputs;
+  for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
+    const PlanJob& job = plan.jobs[i];
+    if (job.job.empty() || status[i].state == JobStatus::State::kDone) continue;
+    if (!jobs.insert(job.job).second) continue;
+    (inputs.insert(job.input).second ? pending.first : pending.rest).push_back(&job);
+  }
+  return pending;
+}
+
+// A failure file beside a result stems from an earlier try.
+void RemoveFailure(const SuiteFolder& folder, const std::string& id) {
+  std::error_code ignored;
+  fs::remove(folder.failure(id), ignored);
+}
+
+// Runs jobs in batches and records a problem with the folder itself.
+class JobRunner {
+ public:
+  JobRunner(const Plan& plan, const PlanRun& run, Engine& engine, std::size_t total)
+      : run_(run), engine_(engine), total_(total) {
+    for (const PlanJob& job : plan.jobs) planned_.insert(job.job);
+    run_.progress(0, total_);
+  }
+
+  // Throws Error if the folder can no longer take results.
+  void Run(const std::vector<const PlanJob*>& jobs) {
+    if (jobs.empty() || Stopped()) return;
+    std::vector<Task> tasks;
+    for (const PlanJob* job : jobs) tasks.push_back(TaskOf(*job));
+    EngineHooks hooks;
+    hooks.ended = [&](std::size_t task, const TaskEnd& end) { Judge(*jobs[task], end); };
+    hooks.stop = [this] { return problem_.has_value() || Stopped(); };
+    hooks.notice = run_.notice;
+    hooks.keeps = [this](const std::string& task) { return planned_.contains(task); };
+    engine_.Run(tasks, hooks);
+    if (problem_) throw Error(*problem_);
+  }
+
+  // Once `stop` has returned true, this stays true.
+  bool Stopped() { return stopped_ = stopped_ || run_.stop(); }
+
+ private:
+  Task TaskOf(const PlanJob& job) const {
+    return {.name = job.job,
+            .argv = {run_.program, "experiment", "job", fs::absolute(run_.folder.root).string(),
+                     job.job},
+            .log = run_.folder.log(job.job),
+            .limit_s = run_.limit_s,
+            .limit_memory_mb = run_.limit_memory_mb};
+  }
+
+  // The result of a task that ran on another machine may become visible late.
+  bool IsDone(const PlanJob& job, const TaskEnd& end) {
+    const auto start = Clock::now();
+    const std::chrono::duration<double> late(end.ok ? engine_.latency_s() : 0.0);
+    while (StatusOf(run_.folder, job).state != JobStatus::State::kDone) {
+      if (Clock::now() - start >= late || Stopped()) return false;
+      std::this_thread::sleep_for(kRecheckInterval);
+    }
+    return true;
+  }
+
+  // An exception must not propagate through the engine: an error here is stored and stops it.
+  void Judge(const PlanJob& job, const TaskEnd& end) {
+    if (problem_) return;
+    try {
+      if (IsDone(job, end)) {
+        RemoveFailure(run_.folder, job.job);
+      } else if (!stopped_) {
+        const std::string message =
+            end.ok ? ProblemOfResult(run_.folder, job) : MessageOf(end, run_.folder.log(job.job));
+        WriteFailure(run_.folder, job.job, message);
+        run_.notice(StrCat("failed: ", Describe(job), ": ", message));
+      }
+      CheckSpace(run_.folder.root);
+      run_.progress(++ended_, total_);
+    } catch (const Error& error) {
+      problem_ = error.what();
+    }
+  }
+
+  const PlanRun& run_;
+  Engine& engine_;
+  std::size_t total_;
+  std::set<std::string> planned_;
+  std::size_t ended_ = 0;
+  bool stopped_ = false;
+  std::optional<std::string> problem_;
+};
+
+}  // namespace
+
+PlanOutcome CountJobs(const std::vector<JobStatus>& jobs) {
+  const auto count = [&jobs](JobStatus::State state) {
+    return static_cast<std::size_t>(std::count_if(
+        jobs.begin(), jobs.end(), [state](const JobStatus& job) { return job.state == state; }));
+  };
+  return {.done = count(JobStatus::State::kDone),
+          .failed = count(JobStatus::State::kFailed),
+          .missing = count(JobStatus::State::kMissing),
+          .no_sequence = count(JobStatus::State::kNoSequence)};
+}
+
+PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
+  std::vector<JobStatus> status = StatusOfAll(run.folder, plan);
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    if (status[i].state == JobStatus::State::kDone) RemoveFailure(run.folder, plan.jobs[i].job);
+  }
+  const Pending pending = FindPending(plan, status);
+  if (pending.first.empty()) return CountJobs(status);
+  for (const char* name : {"jobs", "failed", "logs"}) MakeFolder(run.folder.root / name);
+  RemoveTemporaries(run.folder.root / "failed");
+  RemoveEmptyFolders(run.folder.root / "jobs");
+  CheckSpace(run.folder.root);
+  JobRunner runner(plan, run, engine, pending.first.size() + pending.rest.size());
+  runner.Run(pending.first);
+  runner.Run(pending.rest);
+  PlanOutcome outcome = CountJobs(StatusOfAll(run.folder, plan));
+  outcome.stopped = runner.Stopped() && outcome.missing + outcome.failed > 0;
+  return outcome;
+}
+
+std::optional<std::vector<std::string>> RunPreparations(const std::vector<Task>& tasks,
+                                                        const PlanRun& run, Engine& engine) {
+  std::vector<std::string> messages(tasks.size());
+  if (tasks.empty()) return messages;
+  MakeFolder(run.folder.root / "logs");
+  std::size_t ended = 0;
+  run.progress(0, tasks.size());
+  EngineHooks hooks;
+  hooks.ended = [&](std::size_t task, const TaskEnd& end) {
+    if (!end.ok) messages[task] = MessageOf(end, tasks[task].log);
+    run.progress(++ended, tasks.size());
+  };
+  hooks.stop = run.stop;
+  hooks.notice = run.notice;
+  engine.Run(tasks, hooks);
+  if (ended < tasks.size()) return std::nullopt;
+  return messages;
+}
+
+}  // namespace cvo

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// `clustervo eval trajectory`, `boxes` and `clock` as processes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/files/json/json.h"
+#include "experiments/metrics/trajectory.h"
+#include "tests/experiments/cli/process.h"
+
+namespace cvo::eval_test {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Arguments;
+using test::ExpectError;
+using test::ProcessResult;
+using test::RunProgram;
+using test::With;
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Eval : public test::TinyTest {
+ protected:
+  std::string Write(const std::string& name, const std::string& content) const {
+    return folder_.Write(name, content).string();
+  }
+  static ProcessResult Evaluate(const std::string& truth, const std::string& estimate,
+                                const Arguments& more = {}) {
+    return RunProgram(
+        With({"eval", "trajectory", "--groundtruth", truth, "--estimate", estimate}, more));
+  }
+};
+
+TEST_F(Eval, MatchesTumPosesByTime) {
+  const std::string truth = Write("truth.tum",
+                                  "# time x y z and a rotation\n0.0 0 0 0 0 0 0 1\n"
+                                  "0.1 1 0 0 0 0 0 1\n0.2 2 0 1 0 0 0 1\n0.3 3 1 1 0 0 0 1\n");
+  const std::string estimate =
+      Write("estimate.tum",
+            "0.101 1 0 0 0 0 0 1\n0.201 2 0 1 0 0 0 1\n0.301 3 1 1 0 0 0 1\n5 0 0 0 0 0 0 1\n");
+  const ProcessResult result = Evaluate(truth, estimate, {"--json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = ParseJson(result.out, "evaluation");
+  EXPECT_EQ(json["matched"], 3);
+  EXPECT_EQ(json["unmatched_groundtruth"], 1);
+  EXPECT_EQ(json["unmatched_estimate"], 1);
+  EXPECT_EQ(json["metrics"][0]["name"], "camera_coverage");
+  EXPECT_EQ(json["metrics"][0]["value"], 0.75);
+  EXPECT_THAT(Evaluate(truth, estimate).out,
+              HasSubstr("3 poses matched, unmatched: 1 of the ground truth, 1 of the estimate"));
+  ExpectError(Evaluate(truth, estimate, {"--max-time-difference", "0.0001"}),
+              "found 0 poses that match", 1);
+  EXPECT_EQ(Evaluate(truth, estimate).err, "");
+  const std::string other = Write("other.tum",
+                                  "0.1 1 0 0 0 0 0 1\n0.2 2 0 1 0 0 0 1\n7 3 1 1 0 0 0 1\n"
+                                  "8 0 0 0 0 0 0 1\n9 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(Evaluate(truth, other).err, HasSubstr("note: only 2 of 5 poses of "));
+}
+
+TEST_F(Eval, ReadsKittiPosesLineByLine) {
+  const std::string truth = Path("tiny/poses.txt");
+  const ProcessResult same = Evaluate(truth, truth, {"--json"});
+  ASSERT_EQ(same.exit_code, 0) << same.err;
+  const Json evaluation = ParseJson(same.out, "evaluation");
+  for (const Json& metric : evaluation["metrics"]) {
+    if (metric["name"] == "camera_ate") {
+      EXPECT_LT(metric["value"].get<double>(), 1e-9);
+    }
+  }
+  const std::string shorter = Write("short.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
+  ExpectError(Evaluate(truth, shorter), "found 1 poses, expected 3", 1);
+}
+
+TEST_F(Eval, BadTrajectories) {
+  const std::string good = Write("good.tum", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
+  const auto bad = [&](const std::string& text) { return Evaluate(good, Write("bad.tum", text)); };
+  ExpectError(bad("0 0 0 0 0 0 0 1\n1 nan 0 0 0 0 0 1\n"), "bad.tum:2", 1);
+  ExpectError(bad("1 0 0 0 0 0 0 1\n0 1 0 0 0 0 0 1\n"), "bad.tum:2", 1);
+  ExpectError(bad("# no pose\n"), "bad.tum", 1);
+  ExpectError(bad("1 2 3\n"), "bad.tum:1", 1);
+  ExpectError(bad("1 0 0 0 0 1 0 0 0 0 1 0\n"), "kitti format", 1);
+  ExpectError(Evaluate(good, "/no/such/file"), "/no/such/file", 1);
+  ExpectError(Evaluate(good, good, {"--format", "euroc"}), "--format", 2);
+  ExpectError(Evaluate(good, good, {"--max-time-difference", "nan"}), "--max-time-difference", 2);
+}
+
+class EvalSequence : public test::TinyTest {
+ protected:
+  std::string poses() const { return Path("tiny/poses.txt"); }
+  ProcessResult Evaluate(const Arguments& more) const {
+    return RunProgram(With({"eval", "trajectory", "--sequence", tiny(), "--estimate"}, more));
+  }
+};
+
+TEST_F(EvalSequence, ScoresAndWritesAResult) {
+  const ProcessResult result = Evaluate({poses(), "--name", "other", "-o", out()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("poses of 3 of 3 frames"), HasSubstr("camera_ate")));
+  const std::string written = test::ReadFile(Path("out/result.json"));
+  EXPECT_EQ(ParseJson(written, "result")["variant"], "system:other");
+  EXPECT_EQ(Evaluate({poses(), "--name", "other", "--json"}).out, written);
+  EXPECT_EQ(Evaluate({poses(), "-o", out()}).exit_code, 0);
+  EXPECT_EQ(ParseJson(test::ReadFile(Path("out/result.json")), "result")["variant"],
+            "system:poses");
+}
+
+TEST_F(EvalSequence, TheResultOfARunIsNotOverwritten) {
+  folder_.Write("out/camera.tum", "");
+  folder_.Write("out/result.json", "mine");
+  ExpectError(Evaluate({poses(), "-o", out()}), "camera.tum of a run");
+  EXPECT_EQ(test::ReadFile(Path("out/result.json")), "mine");
+}
+
+TEST_F(EvalSequence, BadInputLeavesNothing) {
+  const std::string bad = folder_.Write("bad.tum", "0 0 0 0 0 0 0 1\n7 0 0 0 0 0 0 1\n").string();
+  ExpectError(Evaluate({bad, "-o", out()}), "bad.tum:2: ");
+  const std::string rows = folder_.Write("rows.txt", "").string();
+  ExpectError(Evaluate({poses(), "--objects", rows, "-o", out()}), "rows.txt:1: ");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(EvalSequence, RefusesFlagsOfTheOtherMode) {
+  ExpectError(RunProgram({"eval", "trajectory", "--estimate", poses()}), "--sequence", 2);
+  ExpectError(RunProgram({"eval", "trajectory", "--estimate", poses(), "--groundtruth", poses(),
+                          "-o", out()}),
+              "--output", 2);
+  ExpectError(Evaluate({poses(), "--format", "kitti"}), "--format", 2);
+}
+
+TEST_F(EvalSequence, BodiesWithoutTruthAreNotScored) {
+  const std::string rows =
+      folder_.Write("rows.txt", "0 1 Car -1 -1 0 0 0 9 9 1 1 1 0 0 9 0 1\n").string();
+  const ProcessResult result = Evaluate({poses(), "--objects", rows});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("1 object-frames"), HasSubstr("objects not scored")));
+}
+
+// Flags of other commands are refused, and the JSON states the contract.
+TEST_F(EvalSequence, ScoresBoxes) {
+  const std::string row = "0 1 Car 0 0 0 10 20 90 80 1.5 1.6 3.9 1 2 30 0.1";
+  const std::string labels = folder_.Write("labels.txt", row + "\n").string();
+  const std::string rows = folder_.Write("rows.txt", row + " 0.5\n").string();
+  const Arguments boxes = {"eval", "boxes", "--labels", labels, "--estimate", rows};
+  const auto run = [&boxes](const Arguments& more) { return RunProgram(With(boxes, more)); };
+  EXPECT_THAT(run({}).out, HasSubstr("bv           11      9.09"));
+  const Json json = ParseJson(run({"--iou", "0.25", "--json"}).out, "eval boxes");
+  EXPECT_EQ(json["kind"], "average precision");
+  EXPECT_EQ(json["average_precision"][1]["contract"]["least_overlap"], 0.25);
+  EXPECT_EQ(json["average_precision"][1]["levels"][0]["ap11"], 1.0 / 11.0);
+  const Json tracking =
+      ParseJson(run({"--score", "tracking", "--json"}).out, "eval boxes")["tracking"];
+  EXPECT_EQ(tracking.size(), 2U);
+  EXPECT_EQ(tracking[1]["overlap"], "3d");
+  EXPECT_EQ(tracking[1]["clear"]["mota"], 1.0);
+  for (const Arguments& wrong : {Arguments{"--iou", "1.5"},
+                                 {"--class", "Tram"},
+                                 {"--sequence", tiny()},
+                                 {"--frames", "4:"},
+                                 {"--score", "hota"}}) {
+    ExpectError(run(wrong), wrong[0], 2);
+  }
+  ExpectError(run({"--score", "tracking", "--iou", "0.5"}), "--iou", 2);
+  ExpectError(RunProgram({"eval", "boxes", "--estimate", rows}), "--labels", 2);
+  ExpectError(Evaluate({poses(), "--iou", "0.5"}), "--iou", 2);
+  ExpectError(RunProgram({"eval", "boxes", "--score", "tracking", "--labels", Path("tiny"),
+                          "--estimate", Path("tiny")}),
+              "");
+}
+
+// The trajectory of a camera that rotates back and forth, with 10 poses per second and a clock that
+// is `ahead_s` ahead.
+std::string TurningCamera(double ahead_s) {
+  Trajectory trajectory;
+  for (int i = 0; i < 100; ++i) {
+    const double angle = 0.3 * std::sin(0.25 * i) + 0.2 * std::sin(0.41 * i);
+    trajectory.push_back({std::llround(1e9 * (1.0 + 0.1 * i + ahead_s)),
+                          {ExpSo3({0.0, angle, 0.0}), Eigen::Vector3d::Zero()}});
+  }
+  return FormatTumTrajectory(trajectory);
+}
+
+TEST_F(EvalSequence, EstimatesTheClockOffsetOfTheTruth) {
+  const std::string truth = folder_.Write("truth.tum", TurningCamera(0.25)).string();
+  const std::string estimate = folder_.Write("estimate.tum", TurningCamera(0.0)).string();
+  const Arguments clock = {"eval",          "clock", "--within",   "1",
+                           "--groundtruth", truth,   "--estimate", estimate};
+  const ProcessResult result = RunProgram(clock);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("clock offset (ground truth minus estimate): +0.2500"));
+  const Json json = ParseJson(RunProgram(With(clock, {"--json"})).out, "eval clock");
+  EXPECT_NEAR(json["clock"]["offset_s"].get<double>(), 0.25, 1e-3);
+  ExpectError(RunProgram({"eval", "clock", "--groundtruth", truth, "--estimate", poses()}),
+              "clocks are compared by times");
+  const Arguments still = {"eval", "clock", "--sequence", tiny(), "--estimate", poses()};
+  ExpectError(RunProgram(still), "2 pairs of poses");
+  ExpectError(RunProgram(With(still, {"-o", out()})), "has no flag", 2);
+}
+
+}  // namespace
+}  // namespace cvo::eval_test

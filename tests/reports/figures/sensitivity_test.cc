@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+// Figures about the values of the table over those of an option.
+#include <gmock/gmock.h>
+
+#include "reports/figures/suite_parts.h"
+#include "tests/reports/figures/drawn_suite.h"
+
+namespace cvo::reports {
+namespace {
+
+using test::XsOf;
+using test::YsOf;
+using testing::AllOf;
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pointwise;
+using testing::SizeIs;
+
+SuiteFigures Draw(const SuiteData& data) {
+  SuiteFigures figures;
+  AddSensitivity(data, figures);
+  return figures;
+}
+
+std::vector<Series> CurvesOf(const Figure& figure, const std::string& name) {
+  return test::SeriesNamed(figure.chart, name);
+}
+
+TEST(Sensitivity, DrawsErrorAboveCoverageOverTheOption) {
+  SuiteData data = test::SweptSuite("window.spatial", {3, 1, 2});
+  data.table.provenance.options = {{"window.spatial", "2", {"1", "3"}}};
+  const SuiteFigures drawn = Draw(data);
+  ASSERT_THAT(drawn.figures, SizeIs(1));
+  const Figure& figure = drawn.figures[0];
+  EXPECT_EQ(figure.name, "sensitivity-window-spatial-object-errors");
+  EXPECT_EQ(figure.title,
+            "Object errors over window.spatial. Object ATE: aligned by SE(3) over positions");
+  const std::vector<Series> curves = CurvesOf(figure, "full");
+  ASSERT_THAT(curves, SizeIs(2));
+  EXPECT_THAT(XsOf(curves[0]), ElementsAre(1.0, 2.0, 3.0));
+  EXPECT_THAT(YsOf(curves[0]), Pointwise(DoubleEq(), {0.2, 0.1 * 3, 0.1}));
+  EXPECT_EQ(curves[0].data[0].tip, "full, 1: 0.2 m (0.15 to 0.25)");
+  EXPECT_THAT(YsOf(curves[1]), ElementsAre(50.0, 50.0, 50.0));
+  EXPECT_EQ(figure.chart.panels[0].y.title, "object ATE (m)");
+  EXPECT_EQ(figure.chart.panels[1].y.title, "object coverage (%)");
+  EXPECT_EQ(figure.chart.panels[1].x.title, "window.spatial");
+  EXPECT_TRUE(figure.chart.share_x);
+}
+
+TEST(Sensitivity, DrawsIntervalsAsABandAndMarksTheDefault) {
+  SuiteData data = test::SweptSuite("a.b", {1, 2});
+  data.table.provenance.options = {{"a.b", "2", {"1"}}};
+  const Figure figure = Draw(data).figures.at(0);
+  const Panel& panel = figure.chart.panels[0];
+  EXPECT_EQ(panel.series[0].kind, SeriesKind::kBand);
+  EXPECT_NEAR(panel.series[0].data[1].y_interval->low, 0.15, 1e-12);
+  EXPECT_NEAR(panel.series[0].data[1].y_interval->high, 0.25, 1e-12);
+  ASSERT_THAT(panel.rules, SizeIs(1));
+  EXPECT_EQ(panel.rules[0].at, 2.0);
+  EXPECT_EQ(panel.rules[0].text, "default 2");
+  EXPECT_THAT(figure.caption, AllOf(HasSubstr("95 %, by hand"), HasSubstr("the default, 2")));
+  data.table.provenance.options.clear();
+  EXPECT_THAT(Draw(data).figures.at(0).caption, HasSubstr("default of this option is not known"));
+}
+
+TEST(Sensitivity, HasALogAxisForLogSpacedValues) {
+  const auto is_log = [](const std::vector<double>& values) {
+    return Draw(test::SweptSuite("q", values)).figures.at(0).chart.panels[0].x.scale ==
+           AxisScale::kLog;
+  };
+  EXPECT_TRUE(is_log({0.01, 0.1, 1, 10}));
+  EXPECT_TRUE(is_log({1, 2, 3, 5, 8, 12}));
+  EXPECT_FALSE(is_log({0, 1, 10, 100})) << "zero has no logarithm";
+  EXPECT_FALSE(is_log({5, 10, 15, 20, 30, 40}));
+  EXPECT_FALSE(is_log({0.5, 0.7, 0.9})) << "less than a decade";
+  EXPECT_FALSE(is_log({1, 10}));
+}
+
+TEST(Sensitivity, LeavesAGapWhereARowHasNoValue) {
+  SuiteData data = test::SweptSuite("a", {1, 2, 4});
+  data.table.rows[1].cells[0] = {};
+  EXPECT_THAT(YsOf(CurvesOf(Draw(data).figures.at(0), "full").at(0)),
+              Pointwise(DoubleEq(), {0.1, -1.0, 0.1 * 3}));
+}
+
+TEST(Sensitivity, ReportsMissingCoverage) {
+  SuiteData data = test::SweptSuite("a", {1, 2, 4});
+  data.table.columns.pop_back();
+  for (Row& row : data.table.rows) row.cells.pop_back();
+  EXPECT_THAT(Draw(data).figures.at(0).caption, HasSubstr("no coverage for these metrics"));
+}
+
+TEST(Sensitivity, UsesDefaultsOfOtherOptionsWhenOneIsVariedAtATime) {
+  SuiteData data = test::SweptSuite("a", {1, 2});
+  data.table.keys = {"a", "b"};
+  for (Row& row : data.table.rows) row.keys.emplace_back("default");
+  Row other = data.table.rows[0];
+  other.keys = {"default", "7"};
+  data.table.rows.push_back(other);
+  other.keys = {"default", "8"};
+  data.table.rows.push_back(other);
+  const SuiteFigures drawing = Draw(data);
+  ASSERT_THAT(drawing.figures, SizeIs(2));
+  EXPECT_THAT(XsOf(CurvesOf(drawing.figures[0], "full").at(0)), ElementsAre(1.0, 2.0));
+  EXPECT_THAT(XsOf(CurvesOf(drawing.figures[1], "full").at(0)), ElementsAre(7.0, 8.0));
+}
+
+TEST(Sensitivity, DrawsOneLinePerValueOfOtherOptionsInAFullGrid) {
+  SuiteData data = test::SweptSuite("a", {1, 2, 1, 2});
+  data.table.keys = {"a", "b"};
+  for (std::size_t i = 0; i < 4; ++i) data.table.rows[i].keys.emplace_back(i < 2 ? "7" : "8");
+  const Figure figure = Draw(data).figures.at(0);
+  EXPECT_THAT(YsOf(CurvesOf(figure, "b 7").at(0)), Pointwise(DoubleEq(), {0.1, 0.2}));
+  EXPECT_THAT(YsOf(CurvesOf(figure, "b 8").at(0)), Pointwise(DoubleEq(), {0.1 * 3, 0.4}));
+}
+
+TEST(Sensitivity, ReportsWhyNothingIsDrawn) {
+  SuiteData pooled = test::SweptSuite("a", {1, 2});
+  pooled.table.keys = {"variant"};
+  for (Row& row : pooled.table.rows) row.keys = {"full"};
+  const SuiteFigures over = Draw(pooled);
+  EXPECT_THAT(over.figures, IsEmpty());
+  EXPECT_THAT(over.not_drawn, ElementsAre(AllOf(HasSubstr("Sensitivity to a"),
+                                                HasSubstr("no rows by this option"))));
+  EXPECT_THAT(Draw(test::SweptSuite("a", {1})).not_drawn, ElementsAre(HasSubstr("at least 2")));
+  SuiteData many = test::SweptSuite("a", {1, 2});
+  many.table.keys = {"a", "sequence"};
+  const Row row = many.table.rows[0];
+  many.table.rows.clear();
+  for (int i = 0; i < 26; ++i) {
+    many.table.rows.push_back(row);
+    many.table.rows.back().keys = {i % 2 == 0 ? "1" : "2", "room " + std::to_string(i / 2)};
+  }
+  EXPECT_THAT(Draw(many).not_drawn, ElementsAre(HasSubstr("13 curves")));
+}
+
+}  // namespace
+}  // namespace cvo::reports
