@@ -9,9 +9,8 @@
 
 #include "ceres_list.h"
 #include "core/odometry/axes.h"
+#include "variants/ablations.h"
 #include "variants/ladder.h"
-#include "variants/printed.h"
-#include "variants/static_ablations.h"
 
 namespace cvo {
 
@@ -57,11 +56,14 @@ static_assert(CountDifferences<UpTo<kRungs - 1>, Full>() == 0);
 
 // The variants with a definition of their own, except CeresVariants.
 using NamedVariants = std::tuple<Listed<Full, Full, 0>,                                        //
-                                 Listed<ClusterVo, ClusterVo, 0>,                              //
-                                 Listed<ClusterVo, PrintedGate>,                               //
-                                 Listed<ClusterVo, PrintedBoxes>,                              //
-                                 Listed<ClusterVo, PrintedAffinity>,                           //
-                                 Listed<ClusterVo, PrintedKernel>,                             //
+                                 Listed<Paper, Paper, 0>,                                      //
+                                 Listed<Paper, Paper2d, 2>,                                    //
+                                 Listed<Paper, Paper2d3d>,                                     //
+                                 Listed<Paper, PaperNoMotionPrior>,                            //
+                                 Listed<Paper, PrintedGate>,                                   //
+                                 Listed<Paper, PrintedBoxes>,                                  //
+                                 Listed<Paper, PrintedAffinity>,                               //
+                                 Listed<Paper, PrintedKernel>,                                 //
                                  Listed<Full, Only2d, 2>,                                      //
                                  Listed<Full, Only2d3d>,                                       //
                                  Listed<Full, NoGpPrior>,                                      //
@@ -76,9 +78,9 @@ using NamedVariants = std::tuple<Listed<Full, Full, 0>,                         
                                  Listed<Static, StaticNoMarginalization>,                      //
                                  Listed<Static, StaticNoSpatialTrack>,                         //
                                  Listed<Static, StaticCornersOnly, 0>,                         //
-                                 Listed<Static, StaticShiftOnly>,                              //
+                                 Listed<Static, StaticShiftOnly, 0>,                           //
                                  Listed<Static, StaticNoRowEvidence, 0>,                       //
-                                 Listed<Static, StaticTrustCalibration>>;
+                                 Listed<Static, StaticTrustCalibration, 0>>;
 // Every variant in the program, in the order in which they are listed to users: NamedVariants,
 // CeresVariants, then those that the ladder makes.
 using AllVariants = decltype(std::tuple_cat(

@@ -46,10 +46,8 @@ struct Full {
   using Confidence = CountLabels;
   // Section 3.3.
   using BodyMotion = WhiteNoiseMotion;
-  using Past = KeepPastInformation;
   using Outliers = RemoveOutliers;
   using Frames = DoubleTrackFrames;
-  using Calibration = EstimateRightField;
   using Solver = OwnSchur;
 
   // Sets the options that the variant starts from; here they are the defaults.

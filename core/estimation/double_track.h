@@ -78,6 +78,12 @@ concept PromotionPolicy = requires(const Window& window, const WindowFrame& fram
   { Policy::Promotes(window, frame, options) } -> std::same_as<bool>;
 };
 
+// Policy: if it is far from the first frame in T_s, or has few landmarks in common with it; as
+// printed.
+struct PromoteFarFromFirst {
+  static bool Promotes(const Window& window, const WindowFrame& frame,
+                       const WindowOptions& options);
+};
 // Policy: if it is far from the newest frame in T_s (METHOD.md 7.1).
 struct PromoteDistant {
   static bool Promotes(const Window& window, const WindowFrame& frame,
@@ -88,33 +94,17 @@ struct PromoteNever {
   static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
 };
 
-// Policies for frames that leave the windows: the paper's; without marginalisation; without T_s.
+// Policies for frames that leave the windows: the paper's; ours; without marginalisation; without
+// T_s.
+struct PrintedFrames : MarginalizeUnseenByNewest, PromoteFarFromFirst {};
 struct DoubleTrackFrames : MarginalizeUnseenByNewest, PromoteDistant {};
 struct DroppedFrames : MarginalizeNothing, PromoteDistant {};
 struct TemporalFrames : MarginalizeUnseenByNewest, PromoteNever {};
 
-// How far the calibration of the stereo rig is trusted: the prior standard deviation of each
-// coefficient of right_field_px, unless kFixesRightField holds them constant.
-template <typename Policy>
-concept CalibrationPolicy = requires(const NoiseOptions& noise) {
-  { Policy::kFixesRightField } -> std::convertible_to<bool>;
-  { Policy::Deviation(noise) } -> std::same_as<Vector6d>;
-};
-
-// Policy: the calibration error varies smoothly over the image.
-struct EstimateRightField {
-  static constexpr bool kFixesRightField = false;
-  static Vector6d Deviation(const NoiseOptions& noise);
-};
-// Policy: the calibration error is constant over the image.
-struct EstimateRightShift {
-  static constexpr bool kFixesRightField = false;
-  static Vector6d Deviation(const NoiseOptions& noise);
-};
-// Policy: the calibration is taken as exact.
-struct TrustCalibration : EstimateRightShift {
-  static constexpr bool kFixesRightField = true;
-};
+// Whether the calibration of the rig is taken as exact: right_field_px is held.
+inline bool TrustsCalibration(const NoiseOptions& noise) { return noise.right_mean_px == 0.0; }
+// Prior standard deviation of each coefficient of right_field_px.
+Vector6d CalibrationDeviation(const NoiseOptions& noise);
 
 // Maximum squared whitened error with which an observation stays in the window after a solve.
 template <typename Policy>

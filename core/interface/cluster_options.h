@@ -124,7 +124,7 @@ struct ClusterOptions {
     visit.Field("max_past_observations", self.max_past_observations,
                 {"observations", 0, 1e6,
                  "maximum weight of observations that left the window, in observations per "
-                 "landmark; larger drifts less and corrects errors more slowly",
+                 "landmark; larger drifts less and corrects errors more slowly; 0 forgets them",
                  "fixed poses have errors too"});
     visit.Field("first_speed_m_s", self.first_speed_m_s,
                 {"m/s", 0, 1000, "standard deviation of a new cluster's velocity; falls with 1/n^2",

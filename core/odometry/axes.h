@@ -29,7 +29,7 @@ concept FramePolicy = MarginalizationPolicy<Policy> && PromotionPolicy<Policy>;
 template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxPolicy B, BoxRematchPolicy BR,
           IdentityPolicy I, UnaryTerm BT, UnaryTerm AT, UnaryTerm MT, MotionEvidencePolicy ME,
           NewBodyAndOriginPolicy NB, PairwisePolicy P, ConfidencePolicy C, BodyMotionPolicy BM,
-          PastPolicy Pa, OutlierPolicy O, FramePolicy F, CalibrationPolicy Ca, SolverPolicy S>
+          OutlierPolicy O, FramePolicy F, SolverPolicy S>
 struct Axes {
   using Detections = D;
   using LandmarkAssociation = LA;
@@ -44,22 +44,20 @@ struct Axes {
   using Pairwise = P;
   using Confidence = C;
   using BodyMotion = BM;
-  using Past = Pa;
   using Outliers = O;
   using Frames = F;
-  using Calibration = Ca;
   using Solver = S;
 };
 
 // Collects the policies that a variant names. A variant that lacks an axis, or names a policy that
 // does not satisfy the concept of its axis, does not compile.
 template <typename V>
-using AxesOf = Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::Boxes,
-                    typename V::BoxRematch, typename V::Identity, typename V::BoxTerm,
-                    typename V::AffinityTerm, typename V::MotionTerm, typename V::MotionEvidence,
-                    typename V::NewBody, typename V::Pairwise, typename V::Confidence,
-                    typename V::BodyMotion, typename V::Past, typename V::Outliers,
-                    typename V::Frames, typename V::Calibration, typename V::Solver>;
+using AxesOf =
+    Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::Boxes,
+         typename V::BoxRematch, typename V::Identity, typename V::BoxTerm,
+         typename V::AffinityTerm, typename V::MotionTerm, typename V::MotionEvidence,
+         typename V::NewBody, typename V::Pairwise, typename V::Confidence, typename V::BodyMotion,
+         typename V::Outliers, typename V::Frames, typename V::Solver>;
 
 template <typename V>
 concept EstimatorVariant = requires {

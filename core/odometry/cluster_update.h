@@ -48,8 +48,8 @@ double ApplySolution(double gate, const WindowProblem& problem, const std::vecto
                      Window& window);
 
 // Bundle adjustment of the window (static energy of section 3.3 of the paper). The oldest frame is
-// held fixed (METHOD.md 7.4); `Calibration` decides whether camera.right_field_px is.
-template <CalibrationPolicy Calibration, OutlierPolicy Outliers, SolverPolicy Solver>
+// held fixed (METHOD.md 7.4).
+template <OutlierPolicy Outliers, SolverPolicy Solver>
 WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,
                             const RowField& rows, Window& window) {
   WindowProblem problem = MakeFrames(window);
@@ -57,8 +57,8 @@ WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& opti
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
     problem.is_fixed[i] = i == 0 || frames[i]->is_given;
   }
-  problem.is_right_field_fixed = Calibration::kFixesRightField;
-  if (!Calibration::kFixesRightField) {
+  problem.is_right_field_fixed = TrustsCalibration(noise.options);
+  if (!problem.is_right_field_fixed) {
     AppendRowEvidence(rows, window.camera, noise.options.row_field_px, problem.prior);
   }
   const std::vector<int> landmarks = SelectLandmarks(window, options.max_points);

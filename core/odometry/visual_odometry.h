@@ -117,13 +117,12 @@ class VisualOdometry final : public Odometry {
     // Bundle adjustment of the static window, with its prior (3.3, static scene and camera pose).
     {
       const ScopedStage stage(times, "optimize");
-      if (!Variant::Calibration::kFixesRightField) {
+      if (!TrustsCalibration(options_.noise)) {
         rows_.Add(RowOffsets(input.features, options_.orb.scale_factor), camera_);
       }
       const WindowReport window =
-          OptimizeWindow<typename Variant::Calibration, typename Variant::Outliers,
-                         typename Variant::Solver>(options_.NoiseOfFeatures(), options_.solver,
-                                                   rows_, window_);
+          OptimizeWindow<typename Variant::Outliers, typename Variant::Solver>(
+              options_.NoiseOfFeatures(), options_.solver, rows_, window_);
       report.window_landmarks = window.landmarks;
       report.window_iterations = window.iterations;
       report.window_endings = window.endings;
@@ -195,8 +194,8 @@ class VisualOdometry final : public Odometry {
   }
 
   void Restart() {
-    const Vector6d deviation_px = Variant::Calibration::Deviation(options_.noise);
-    window_ = Window{camera_, CalibrationPrior(camera_, deviation_px), {}, {}, {}};
+    window_ = Window{
+        camera_, CalibrationPrior(camera_, CalibrationDeviation(options_.noise)), {}, {}, {}};
   }
 
   PredictorAnytime PredictorAnytimeOf() const {
@@ -223,16 +222,16 @@ class VisualOdometry final : public Odometry {
     while (kept_.front().id < window_.temporal.front().id) kept_.pop_front();
   }
 
-  // Adds the frame to T_t. What the clusters saw in the frame that leaves T_t is handed to Past,
-  // which may keep it with their landmarks.
+  // Adds the frame to T_t. What the clusters saw in the frame that leaves T_t stays with their
+  // landmarks.
   void AdvanceWindow(const WindowFrame& entering) {
     const std::optional<WindowFrame> oldest =
         window_.temporal.empty() ? std::nullopt : std::optional(window_.temporal.front());
     double_track_.Advance(entering, window_);
     for (Cluster& cluster : clusters_.live) {
       if (oldest && window_.temporal.front().id != oldest->id) {
-        Variant::Past::Leave(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
-                             cluster);
+        AbsorbObservations(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
+                           cluster);
       }
       RemoveUnconfirmed(newest_, options_.window.lost_frames, cluster.landmarks);
       TrimCluster(window_, newest_, options_.clusters, cluster);

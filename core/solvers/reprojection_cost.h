@@ -52,14 +52,14 @@ struct NoiseOptions {
                  "disagreement between the quarters of its patch; 0: noise.disparity_px for all",
                  "METHOD.md 7.2: chosen from 3, 5 and 6 on rooms, streets and KITTI"});
     visit.Field("right_mean_px", self.right_mean_px,
-                {"px", 1e-6, 10,
+                {"px", 0, 10,
                  "prior standard deviation of the mean over the image of the calibration error of "
-                 "u_right",
+                 "u_right; 0 trusts the calibration",
                  "METHOD.md 7.6: chosen from 0.02 ... 0.3 on KITTI, streets and rooms"});
     visit.Field("right_field_px", self.right_field_px,
-                {"px", 1e-6, 10,
+                {"px", 0, 10,
                  "prior standard deviation of each other coefficient of the calibration error of "
-                 "u_right",
+                 "u_right; 0 for one constant over the image",
                  "METHOD.md 7.6: KITTI's are 0.05-1 px"});
     visit.Field(
         "row_field_px", self.row_field_px,

@@ -29,7 +29,7 @@ constexpr std::array kKnown = {"full",
                                "no_probabilistic_association",
                                "no_box_rematch",
                                "no_label_confidence",
-                               "clustervo",
+                               "paper",
                                "no_identity"};
 
 std::size_t KnownPlace(const std::string& name) {

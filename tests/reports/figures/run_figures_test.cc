@@ -177,7 +177,7 @@ TEST(StageTimes, DoNotMixMachines) {
 
 // Frames 10 to 13; the first has no estimate. Of the variants, only `full` estimates anything.
 SuiteData Calibrated() {
-  SuiteData data = DrawnSuite({"clustervo", "full"});
+  SuiteData data = DrawnSuite({"paper", "full"});
   for (DrawnRun& run : data.drawn) {
     std::vector<CameraFrame>& frames = run.detail.camera;
     frames.assign(4, CameraFrame());
@@ -200,8 +200,8 @@ TEST(CalibrationFigure, ShowsTheMeanWithItsDeviation) {
   EXPECT_EQ(line.tip, "full: 0.3 ± 0.04 px in the last frame");
   EXPECT_EQ(figure.chart.panels[0].series[0].kind, SeriesKind::kBand);
   EXPECT_EQ(figure.chart.panels[0].title, "room");
-  EXPECT_THAT(SeriesNamed(figure.chart, "clustervo"), IsEmpty());
-  EXPECT_THAT(Drawn(AddCalibration, DrawnSuite({"clustervo"})).figures, IsEmpty());
+  EXPECT_THAT(SeriesNamed(figure.chart, "paper"), IsEmpty());
+  EXPECT_THAT(Drawn(AddCalibration, DrawnSuite({"paper"})).figures, IsEmpty());
 }
 
 TEST(CalibrationFigure, SaysHowManySequencesAreLeftOut) {

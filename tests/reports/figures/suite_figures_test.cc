@@ -58,7 +58,7 @@ TEST(Waterfall, HasABarPerRowStartingAtTheRowAbove) {
     difference.reference_value = before;
     difference.difference = -0.1;
     difference.interval = Interval{low, high, ""};
-    data.table.rows[row].keys = {row == 1 ? "clustervo_to_box_foot" : "full"};
+    data.table.rows[row].keys = {row == 1 ? "paper_to_box_foot" : "full"};
     data.table.rows[row].cells[0].difference = difference;
   };
   step(1, -0.15, -0.05);
