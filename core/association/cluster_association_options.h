@@ -6,17 +6,21 @@
 
 namespace cvo {
 
+// Maximum descriptor distance without a prediction (METHOD.md 4.6).
+inline constexpr int kRematchHamming = 60;
+// Maximum ratio of the best to the second best distance without a prediction (METHOD.md 4.6).
+inline constexpr double kRematchRatio = 0.85;
+// RANSAC hypotheses per cluster: with 35 % inliers, 100 succeed with probability 99 % (1 - (1 -
+// 0.35^3)^100).
+inline constexpr int kRansacIterations = 100;
+
 // Options for the association of features and boxes with clusters (section 3.1 of the paper).
 struct ClusterAssociationOptions {
   double gamma = 4.0;
   double max_radius_px = 60.0;
-  double fixed_radius_px = 20.0;
   int max_hamming = 75;
   double ratio = 0.9;
   double max_entropy = 1.0;
-  int rematch_hamming = 60;
-  double rematch_ratio = 0.85;
-  int ransac_iterations = 100;
   int min_rematch = 7;
   bool left_only = true;
 
@@ -29,9 +33,6 @@ struct ClusterAssociationOptions {
                  "paper, section 3.1; 74 % of chi^2 with 3 degrees of freedom"});
     visit.Field("max_radius_px", self.max_radius_px,
                 {"px", 1, 500, "maximum search radius", "METHOD.md 4.2"});
-    visit.Field("fixed_radius_px", self.fixed_radius_px,
-                {"px", 1, 500, "search radius of variants without probabilistic association",
-                 "as the wide search of static landmarks"});
     visit.Field("max_hamming", self.max_hamming,
                 {"bits", 1, 256, "maximum descriptor distance within the gate", "METHOD.md 4.3"});
     visit.Field("ratio", self.ratio,
@@ -43,18 +44,6 @@ struct ClusterAssociationOptions {
          "maximum entropy of a cluster's distribution over boxes for the cluster to be assigned to "
          "one",
          "paper, section 3.1"});
-    visit.Field(
-        "rematch_hamming", self.rematch_hamming,
-        {"bits", 1, 256, "maximum descriptor distance without a prediction", "METHOD.md 4.6"});
-    visit.Field("rematch_ratio", self.rematch_ratio,
-                {"1", 0.1, 1.0,
-                 "maximum ratio of the best to the second best distance without a prediction",
-                 "METHOD.md 4.6"});
-    visit.Field(
-        "ransac_iterations", self.ransac_iterations,
-        {"1", 1, 100000,
-         "RANSAC hypotheses per cluster: with 35 % inliers, 100 succeed with probability 99 %",
-         "1 - (1 - 0.35^3)^100"});
     visit.Field(
         "min_rematch", self.min_rematch,
         {"landmarks", 3, 1000,

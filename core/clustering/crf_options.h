@@ -41,8 +41,6 @@ struct UnaryOptions {
   double outlier_energy = 4.0;
   int past_frames = 0;
   double motion_cap = 25.0;
-  double neutral_motion = 1.5;
-  double outlier_motion = 4.5;
   double max_energy = 15.0;
 
   template <typename Self, typename Visitor>
@@ -78,14 +76,6 @@ struct UnaryOptions {
         "motion_cap", self.motion_cap,
         {"1", 0.1, 1e6, "maximum squared whitened error; larger gives more weight to single errors",
          "METHOD.md 5.5"});
-    visit.Field("neutral_motion", self.neutral_motion,
-                {"nats", 0.0, 100.0,
-                 "motion term of a class without a known motion: mean of chi^2 / 2 with 3 degrees "
-                 "of freedom",
-                 "METHOD.md 5.5"});
-    visit.Field(
-        "outlier_motion", self.outlier_motion,
-        {"nats", 0.0, 100.0, "motion term of the outlier class: half of 9", "METHOD.md 5.5"});
     visit.Field(
         "max_energy", self.max_energy,
         {"nats", 1.0, 1000.0, "maximum energy of one term, so that no term overrules the others",

@@ -11,6 +11,12 @@ namespace cvo {
 
 namespace {
 
+// Motion term of a class without a known motion: mean of chi^2 / 2 with 3 degrees of freedom
+// (METHOD.md 5.5).
+constexpr double kNeutralMotion = 1.5;
+// Motion term of the outlier class: half of 9 (METHOD.md 5.5).
+constexpr double kOutlierMotion = 4.5;
+
 double EnergyWithoutExtent(LabelKind kind, const UnaryOptions& options) {
   return kind == LabelKind::kOutlier ? options.outlier_energy : options.static_energy;
 }
@@ -196,9 +202,9 @@ void EnergiesOfNodesWithPast(const CrfScene& scene, const LabelEnergy& label_ene
 void MotionTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                           EnergyMatrix& energies) {
   const auto label_energy = [&](const CrfNode& node, const CrfLabel& label) {
-    if (label.kind == LabelKind::kOutlier) return options.outlier_motion;
+    if (label.kind == LabelKind::kOutlier) return kOutlierMotion;
     const RigidTransform* past_from_now = PastFromNow(label, node.past->frame);
-    if (past_from_now == nullptr) return options.neutral_motion;
+    if (past_from_now == nullptr) return kNeutralMotion;
     const CrfNode::Place place = node.MovingPlace();
     const Eigen::Vector3d p_in_past = *past_from_now * place.p_in_camera;
     const auto z_px = scene.camera.Project(p_in_past);

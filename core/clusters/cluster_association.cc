@@ -9,6 +9,11 @@
 
 namespace cvo {
 
+// Number of states below which a pose is estimated by RANSAC instead of from the prediction:
+// without a velocity, the first matches may all be wrong (two states give a velocity, the third
+// checks it).
+constexpr int kSettledStates = 3;
+
 void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from_object,
                    const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
                    std::span<StereoFeature> features) {
@@ -53,8 +58,7 @@ void TrackClusters(const ClusterSearch& search, const ClusterMap& map,
     by_cluster[from.cluster].push_back({from.landmark, match.feature, match.hamming});
   }
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    const bool is_settled =
-        static_cast<int>(map.live[q].states.size()) >= search.options.clusters.settled_states;
+    const bool is_settled = static_cast<int>(map.live[q].states.size()) >= kSettledStates;
     const auto solution = SolvePose(search, map.live[q], tracks[q].world_from_object, by_cluster[q],
                                     search.options.clusters.min_tracked, is_settled, rng);
     if (solution) AcceptPose(search, by_cluster[q], *solution, taken, tracks[q]);
@@ -153,8 +157,7 @@ std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluste
     indices.push_back(i);
   }
   std::vector<Match> matches =
-      MatchDescriptors(descriptors, features, search.options.association.rematch_hamming,
-                       search.options.association.rematch_ratio);
+      MatchDescriptors(descriptors, features, kRematchHamming, kRematchRatio);
   for (Match& match : matches) {
     match.landmark = landmarks[match.landmark];
     match.feature = indices[match.feature];

@@ -189,8 +189,7 @@ std::optional<RigidTransform> AlignLandmarks(const ClusterAssociationOptions& as
     feature.descriptor = landmark.descriptor;
     now.push_back(feature);
   }
-  const std::vector<Match> matches =
-      MatchDescriptors(former, now, association.rematch_hamming, association.rematch_ratio);
+  const std::vector<Match> matches = MatchDescriptors(former, now, kRematchHamming, kRematchRatio);
   Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(matches.size()));
   Eigen::Matrix3Xd to = from;
   for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -199,32 +198,29 @@ std::optional<RigidTransform> AlignLandmarks(const ClusterAssociationOptions& as
     to.col(column) = cluster.former.landmarks[matches[i].landmark].p_in_object;
   }
   return AlignPointsRansac(from, to, kPointDeviation * cluster.size.side_m, association.min_rematch,
-                           association.ransac_iterations, rng);
+                           kRansacIterations, rng);
 }
 
-BodyMotion MotionAtLoss(const Cluster& cluster, const ClusterOptions& options) {
+BodyMotion MotionAtLoss(const Cluster& cluster) {
   const ClusterState& last = cluster.Latest();
   return {last.timestamp_ns,
           last.world_from_object,
           last.velocity_m_s,
           TurnRate(std::span<const ClusterState>(cluster.states), cluster.states.size() - 1),
-          SpeedVariance(cluster, options),
-          TurnVariance(cluster, options)};
+          SpeedVariance(cluster),
+          TurnVariance(cluster)};
 }
 
 // Motion at the first of a found cluster's poses that is after its loss at lost_ns, or at the last
 // pose if none is. Needs at least one pose.
 template <typename Pose>
-BodyMotion MotionWhenFound(const Cluster& cluster, const ClusterOptions& options,
-                           std::span<const Pose> poses, std::int64_t lost_ns) {
+BodyMotion MotionWhenFound(const Cluster& cluster, std::span<const Pose> poses,
+                           std::int64_t lost_ns) {
   const auto is_before = [lost_ns](const Pose& pose) { return pose.timestamp_ns <= lost_ns; };
   const auto first = std::find_if_not(poses.begin(), poses.end() - 1, is_before);
-  return {first->timestamp_ns,
-          first->world_from_object,
-          first->velocity_m_s,
-          TurnRate(std::span<const Pose>(first, poses.end()), 0),
-          SpeedVariance(cluster, options),
-          TurnVariance(cluster, options)};
+  return {first->timestamp_ns,    first->world_from_object,
+          first->velocity_m_s,    TurnRate(std::span<const Pose>(first, poses.end()), 0),
+          SpeedVariance(cluster), TurnVariance(cluster)};
 }
 
 // The former frame of a body at the time when the body was found, as estimated from its motions
@@ -280,10 +276,9 @@ RigidTransform PlaceFormer(const IdentityStep& step, const Lineage& former, cons
 
 void Inherit(const IdentityStep& step, ClusterId lost, ClusterMap& map, Cluster& found) {
   const Cluster& before = LostOne(map, lost);
-  found.former = {FrameId{}, before.landmarks, before.box_center,
-                  MotionAtLoss(before, step.clusters)};
-  const BodyMotion motion = MotionWhenFound<ClusterState>(found, step.clusters, found.states,
-                                                          found.former.last.timestamp_ns);
+  found.former = {FrameId{}, before.landmarks, before.box_center, MotionAtLoss(before)};
+  const BodyMotion motion =
+      MotionWhenFound<ClusterState>(found, found.states, found.former.last.timestamp_ns);
   const RigidTransform world_from_lost = PlaceFormer(step, found.former, motion, found.box_center);
   ClusterTrajectory later = std::move(map.trajectories[found.id]);
   map.trajectories.erase(found.id);
@@ -363,8 +358,7 @@ void AlignInheritedFrames(const IdentityStep& step, ClusterMap& map, Rng& rng) {
       const std::span<const ClusterPose> since(FirstPoseFrom(former.since.value, trajectory),
                                                trajectory.poses.end());
       if (since.empty() || since.back().timestamp_ns <= former.last.timestamp_ns) continue;
-      const BodyMotion motion =
-          MotionWhenFound(cluster, step.clusters, since, former.last.timestamp_ns);
+      const BodyMotion motion = MotionWhenFound(cluster, since, former.last.timestamp_ns);
       ChangeFrame(motion.world_from_object.Inverse() *
                       PlaceFormer(step, former, motion, cluster.box_center),
                   cluster.id, cluster, trajectory);

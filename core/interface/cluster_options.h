@@ -53,16 +53,10 @@ struct ClusterOptions {
   int confirm_detections = 2;
   int confirm_frames = 5;
   int min_tracked = 4;
-  int min_observed = 3;
-  int settled_states = 3;
   int live_frames = 0;
   int archived = 20;
   int max_landmarks = 800;
   double max_past_observations = 30.0;
-  double first_speed_m_s = 5.0;
-  double speed_deviation_m_s = 0.2;
-  double first_turn_rad_s = 2.0;
-  double turn_deviation_rad_s = 0.5;
   double score_decay = 0.9;
   int trace_states = 3;
 
@@ -98,16 +92,6 @@ struct ClusterOptions {
         {"landmarks", 3, 1000,
          "minimum consistent landmarks to estimate a cluster's pose; with fewer it is predicted",
          "three fix the pose, the fourth checks it"});
-    visit.Field("min_observed", self.min_observed,
-                {"landmarks", 3, 1000,
-                 "minimum observed landmarks for a cluster with a pose to be reported as tracked, "
-                 "not predicted",
-                 "METHOD.md 8.1"});
-    visit.Field("settled_states", self.settled_states,
-                {"states", 1, 1000,
-                 "number of states below which a pose is estimated by RANSAC instead of from the "
-                 "prediction: without a velocity, the first matches may all be wrong",
-                 "two states give a velocity, the third checks it"});
     visit.Field("live_frames", self.live_frames,
                 {"frames", 0, 1000,
                  "number of frames L after which an unobserved cluster is archived; until then it "
@@ -126,19 +110,6 @@ struct ClusterOptions {
                  "maximum weight of observations that left the window, in observations per "
                  "landmark; larger drifts less and corrects errors more slowly; 0 forgets them",
                  "fixed poses have errors too"});
-    visit.Field("first_speed_m_s", self.first_speed_m_s,
-                {"m/s", 0, 1000, "standard deviation of a new cluster's velocity; falls with 1/n^2",
-                 "between walking and driving; the search radius is bounded anyway"});
-    visit.Field("speed_deviation_m_s", self.speed_deviation_m_s,
-                {"m/s", 0, 100, "standard deviation of a tracked cluster's velocity",
-                 "residuals of predictions on the indoor scenes"});
-    visit.Field("first_turn_rad_s", self.first_turn_rad_s,
-                {"rad/s", 0, 100,
-                 "standard deviation of a new cluster's angular velocity; falls with 1/n^2",
-                 "a rolling ball"});
-    visit.Field("turn_deviation_rad_s", self.turn_deviation_rad_s,
-                {"rad/s", 0, 100, "standard deviation of a tracked cluster's angular velocity",
-                 "residuals of predictions on the indoor scenes"});
     visit.Field(
         "score_decay", self.score_decay,
         {"1", 0, 1, "factor on a cluster's score per frame without a detection", "METHOD.md 10.1"});

@@ -12,6 +12,10 @@ namespace cvo {
 
 namespace {
 
+// Minimum observed landmarks for a cluster with a pose to be reported as tracked, not predicted
+// (METHOD.md 8.1).
+constexpr int kMinObserved = 3;
+
 void CopyFrames(const WindowProblem& problem, Window& window) {
   std::size_t i = 0;
   for (std::vector<WindowFrame>* track : {&window.spatial, &window.temporal}) {
@@ -69,8 +73,7 @@ void AddBoxCenter(const FrameView& view, const BodyCenterOptions& options,
   cluster.box_center.Add(track.world_from_object.Inverse(), box.center_in_world, box.information);
 }
 
-ClusterReport DescribeCluster(const ClusterOptions& options, FrameId newest,
-                              const Cluster& cluster) {
+ClusterReport DescribeCluster(FrameId newest, const Cluster& cluster) {
   ClusterReport report;
   report.id = cluster.id;
   report.category = cluster.category;
@@ -83,7 +86,7 @@ ClusterReport DescribeCluster(const ClusterOptions& options, FrameId newest,
                     [&](const Landmark& landmark) { return landmark.last_seen == newest; }));
   report.detection = cluster.last_detected == newest ? cluster.detection : -1;
   const bool is_tracked =
-      cluster.Latest().frame == newest && report.observed_landmarks >= options.min_observed;
+      cluster.Latest().frame == newest && report.observed_landmarks >= kMinObserved;
   report.status = is_tracked ? ClusterStatus::kTracked : ClusterStatus::kPredicted;
   return report;
 }
@@ -125,12 +128,11 @@ void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId 
   }
 }
 
-std::vector<ClusterReport> DescribeClusters(const ClusterOptions& options, FrameId newest,
-                                            const ClusterPredictor& predict,
+std::vector<ClusterReport> DescribeClusters(FrameId newest, const ClusterPredictor& predict,
                                             const ClusterMap& map) {
   std::vector<ClusterReport> reports;
   for (const Cluster& cluster : map.live) {
-    ClusterReport report = DescribeCluster(options, newest, cluster);
+    ClusterReport report = DescribeCluster(newest, cluster);
     if (cluster.Latest().frame < newest) {
       const PredictedCluster predicted = predict(cluster);
       report.world_from_object = predicted.world_from_object;

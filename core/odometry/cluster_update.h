@@ -83,8 +83,8 @@ void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId 
 
 // Describes every live cluster in the newest frame, after the optimisation and without boxes and
 // scores. A cluster without a state in the frame is predicted.
-std::vector<ClusterReport> DescribeClusters(const ClusterOptions& options, FrameId newest,
-                                            const ClusterPredictor& predict, const ClusterMap& map);
+std::vector<ClusterReport> DescribeClusters(FrameId newest, const ClusterPredictor& predict,
+                                            const ClusterMap& map);
 
 // Appends the reports of all live clusters to their trajectories, and updates the poses of T_t
 // there. Returns the reports of the confirmed clusters.

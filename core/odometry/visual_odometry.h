@@ -183,7 +183,7 @@ class VisualOdometry final : public Odometry {
   // Predicts clusters at the time of the current frame.
   ClusterPredictor PredictorOfClusters() const {
     return PredictorAt<typename Variant::BodyMotion, typename Variant::BodyMotion>(
-        timestamp_ns_, options_.motion_prior, options_.clusters);
+        timestamp_ns_, options_.motion_prior);
   }
 
   // A frame with enough features starts the map if it is the first one or follows at least
@@ -201,7 +201,7 @@ class VisualOdometry final : public Odometry {
   PredictorAnytime PredictorAnytimeOf() const {
     return [this](const Cluster& cluster, std::int64_t timestamp_ns) {
       return PredictCluster<typename Variant::BodyMotion, typename Variant::BodyMotion>(
-          cluster, timestamp_ns, options_.motion_prior, options_.clusters);
+          cluster, timestamp_ns, options_.motion_prior);
     };
   }
 
@@ -258,8 +258,7 @@ class VisualOdometry final : public Odometry {
     Variant::Identity::Update(
         {options_.association, options_.clusters, options_.motion_prior, newest_, predict},
         clusters_, cluster_rng_);
-    std::vector<ClusterReport> described =
-        DescribeClusters(options_.clusters, newest_, predict, clusters_);
+    std::vector<ClusterReport> described = DescribeClusters(newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
     const BoxSceneOptions boxes{options_.NoiseOfFeatures(), options_.clusters, options_.extent,
                                 options_.boxes};

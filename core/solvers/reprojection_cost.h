@@ -26,7 +26,6 @@ struct NoiseOptions {
   double row_field_px = 0.03;
   double huber = 2.796;
   double gate = 7.815;
-  double hypothesis_gate = 4.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -75,11 +74,6 @@ struct NoiseOptions {
                  "maximum squared whitened error of an inlier: 95 % quantile of chi^2 with 3 "
                  "degrees of freedom",
                  "METHOD.md 3.2"});
-    visit.Field("hypothesis_gate", self.hypothesis_gate,
-                {"1", 1, 1000,
-                 "factor on the gate when counting inliers of a RANSAC hypothesis: a minimal "
-                 "sample carries the noise of its three points",
-                 "two standard deviations of the sample for one of the measurement"});
   }
 };
 

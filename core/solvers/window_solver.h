@@ -52,7 +52,6 @@ struct WindowProblem {
 
 struct SolverOptions {
   int iterations = 4;
-  int cluster_rounds = 3;
   double function_tolerance = 1e-2;
   int max_points = 4000;
 
@@ -60,11 +59,6 @@ struct SolverOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("iterations", self.iterations,
                 {"1", 1, 100, "Levenberg-Marquardt steps per frame", "METHOD.md 7.5"});
-    visit.Field("cluster_rounds", self.cluster_rounds,
-                {"1", 1, 100,
-                 "maximum solves of a cluster per frame; outliers are removed after each, and it "
-                 "is solved again while new ones are found",
-                 "matches of a body that leaves the image are worst in its last frame"});
     visit.Field("function_tolerance", self.function_tolerance,
                 {"1", 0, 1, "stop when a step lowers the energy by less than this fraction",
                  "measured: KITTI accuracy as at 1e-4 with 0.8 of the time, one step per frame"});

@@ -326,7 +326,7 @@ TYPED_TEST(EveryAssociation, FindsNothingWithoutLandmarksOrFeatures) {
 
 TEST(FixedRadiusAssociation, IgnoresCovariances) {
   Rng rng(11, "gate");
-  const double radius = ClusterAssociationOptions().fixed_radius_px;
+  const double radius = 20.0;
   for (const double size : {1e-12, 1.0, 1e9}) {
     const Eigen::Matrix3d covariance = size * Eigen::Matrix3d::Identity();
     Scene scene;

@@ -142,7 +142,7 @@ TEST(InheritIdentities, OriginIsBetweenMotionAndBoxEstimates) {
   const auto placed_at = [](double relative_deviation) {
     Return r;
     r.StopTurning();
-    const double speed = SpeedVariance(r.map.live[0], r.options);
+    const double speed = SpeedVariance(r.map.live[0]);
     const BridgedMotion way = BridgeMotion(0.9, r.motion.q_m2_s3, speed, speed);
     const double variance = relative_deviation * relative_deviation * 0.3 * 0.3 * way.variance;
     const Eigen::Matrix3d information = 2.0 / variance * Eigen::Matrix3d::Identity();

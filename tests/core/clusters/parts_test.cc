@@ -196,19 +196,19 @@ TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
                     StateAt(10, At(0.2, 0.0, 5.0, 0.3), {1.0, 0.0, 0.5})};
   const auto predict = [&](std::int64_t frame) {
     return PredictCluster<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
-        cluster, frame * kInterval_ns, motion, options);
+        cluster, frame * kInterval_ns, motion);
   };
   const PredictedCluster next = predict(11);
   EXPECT_LT(next.world_from_object.Minus(At(0.3, 0.0, 5.05, 0.4)).norm(), 1e-12);
-  // q dt^3 / 3 + dt^2 (first_speed / n^2)^2, n = 2.
-  const double speed = options.first_speed_m_s / 4.0;
+  // q dt^3 / 3 + dt^2 (5 m/s / n^2)^2, n = 2.
+  const double speed = 5.0 / 4.0;
   EXPECT_NEAR(next.translation_variance_m2, motion.q_m2_s3 * 1e-3 / 3.0 + 0.01 * speed * speed,
               1e-12);
-  const double turn = options.first_turn_rad_s / 4.0;
+  const double turn = 2.0 / 4.0;
   EXPECT_NEAR(next.rotation_variance_rad2, 0.01 * turn * turn, 1e-12);
   EXPECT_GT(predict(15).translation_variance_m2, 20.0 * next.translation_variance_m2);
-  const auto held = PredictCluster<WhiteNoiseOnAcceleration, HeldRotation>(
-      cluster, 11 * kInterval_ns, motion, options);
+  const auto held =
+      PredictCluster<WhiteNoiseOnAcceleration, HeldRotation>(cluster, 11 * kInterval_ns, motion);
   EXPECT_LT(held.world_from_object.Minus(At(0.3, 0.0, 5.05, 0.3)).norm(), 1e-12);
 }
 
