@@ -128,7 +128,7 @@ struct NormalizedGaussianKernel {
   static double Scale(double degree);
 };
 
-// Policy: exp(-d^2) with d in m, as printed in the paper (equation of psi_p): not normalised, and
+// Policy: exp(-d^2) with d in m, as printed in the paper (Eq. 9): not normalised, and
 // independent of the options.
 struct RawGaussianKernel {
   static double BandwidthM(const PairwiseOptions& options);
@@ -145,8 +145,8 @@ concept PairwisePolicy = std::same_as<Policy, NoPairwise> ||
   { Policy::Scale(degree) } -> std::same_as<double>;
 };
 
-// Mean-field inference for E(q) = sum_i U_i(q_i) + alpha sum_{i<j} k_ij [q_i != q_j] (section 3.2
-// of the paper): Q_i(l) ~ exp(-U_i(l) + alpha sum_j k_ij Q_j(l)), for all nodes at once, starting
+// Mean-field inference for E(q) = sum_i U_i(q_i) + alpha sum_{i<j} k_ij [q_i != q_j] (Eq. 4 of the
+// paper): Q_i(l) ~ exp(-U_i(l) + alpha sum_j k_ij Q_j(l)), for all nodes at once, starting
 // from softmax(-U). `energies` is N x M in nats, `points` is 3 x N in m; throws Error if the two N
 // differ, a value is not finite, or there are nodes but no labels. k_ij = 0 beyond 6 bandwidths,
 // where it is below the rounding of float. With the default options, Q is within 1e-5 of the result

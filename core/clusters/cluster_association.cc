@@ -90,12 +90,6 @@ void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
   }
 }
 
-void ReleaseUnseen(std::vector<ClusterTrack>& tracks) {
-  for (ClusterTrack& track : tracks) {
-    if (!track.is_tracked) track.detection = -1;
-  }
-}
-
 std::vector<ImageBox> BoxesOf(std::span<const Detection> detections) {
   std::vector<ImageBox> boxes;
   for (const Detection& detection : detections) boxes.push_back(detection.box);
@@ -283,6 +277,13 @@ class Reacquisition {
   std::vector<ClusterTrack>& tracks_;
 };
 
+// Releases the boxes of clusters that are only predicted.
+void ReleaseUnseen(std::vector<ClusterTrack>& tracks) {
+  for (ClusterTrack& track : tracks) {
+    if (!track.is_tracked) track.detection = -1;
+  }
+}
+
 }  // namespace
 
 void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
@@ -296,6 +297,7 @@ void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, R
 void RematchInBox::Reacquire(const ClusterSearch& search,
                              const std::vector<PredictedCluster>& archived, ClusterMap& map,
                              Rng& rng, TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
+  ReleaseUnseen(tracks);
   std::vector<char> is_used(search.shown.detections.size(), 0);
   for (const ClusterTrack& track : tracks) {
     if (track.detection >= 0) is_used[track.detection] = 1;
@@ -304,6 +306,20 @@ void RematchInBox::Reacquire(const ClusterSearch& search,
   for (int m = 0; m < static_cast<int>(is_used.size()); ++m) {
     if (!is_used[m]) reacquisition.Try(m, rng);
   }
+}
+
+void RematchInOwnBox::Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&,
+                                ClusterMap&, Rng&, TakenFeatures&,
+                                std::vector<ClusterTrack>& tracks) {
+  for (ClusterTrack& track : tracks) {
+    if (track.detection >= 0) track.is_tracked = true;
+  }
+}
+
+void NoBoxRematch::Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&,
+                             ClusterMap&, Rng&, TakenFeatures&,
+                             std::vector<ClusterTrack>& tracks) {
+  ReleaseUnseen(tracks);
 }
 
 }  // namespace cvo

@@ -22,8 +22,9 @@ void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from
                    std::span<StereoFeature> features);
 
 // How clusters are matched by descriptors alone, without a prediction (paper, end of section 3.1).
-// Rematch searches the boxes that were assigned to clusters. Reacquire searches the remaining boxes
-// for clusters that were not found, archived ones included (`archived` holds their predictions).
+// Rematch searches the boxes that were assigned to clusters. Reacquire decides what becomes of the
+// clusters that were not found, archived ones included (`archived` holds their predictions), and of
+// their boxes.
 template <typename Policy>
 concept BoxRematchPolicy = requires(const ClusterSearch& search,
                                     const std::vector<PredictedCluster>& archived, ClusterMap& map,
@@ -34,7 +35,8 @@ concept BoxRematchPolicy = requires(const ClusterSearch& search,
 };
 
 // Policy: compares the descriptors in the box with those of the cluster's unmatched landmarks and
-// keeps the matches that agree on a pose.
+// keeps the matches that agree on a pose. The box of a cluster that was not found may show another
+// body: it is released, and the remaining boxes are searched for missing clusters.
 struct RematchInBox {
   static void Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
                       TakenFeatures& taken, std::vector<ClusterTrack>& tracks);
@@ -42,17 +44,19 @@ struct RematchInBox {
                         ClusterMap& map, Rng& rng, TakenFeatures& taken,
                         std::vector<ClusterTrack>& tracks);
 };
-// Policy: searches only the boxes that were assigned to clusters, as in the paper.
+// Policy: searches only the boxes that were assigned to clusters, as in the paper. A cluster that
+// was not found in its box keeps it and gets new landmarks there, at its predicted pose (the
+// relaunch of the paper's section 4.2).
 struct RematchInOwnBox : RematchInBox {
   static void Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&, ClusterMap&,
-                        Rng&, TakenFeatures&, std::vector<ClusterTrack>&) {}
+                        Rng&, TakenFeatures&, std::vector<ClusterTrack>& tracks);
 };
 // Policy: no matching without a prediction.
 struct NoBoxRematch {
   static void Rematch(const ClusterSearch&, const ClusterMap&, Rng&, TakenFeatures&,
                       std::vector<ClusterTrack>&) {}
   static void Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&, ClusterMap&,
-                        Rng&, TakenFeatures&, std::vector<ClusterTrack>&) {}
+                        Rng&, TakenFeatures&, std::vector<ClusterTrack>& tracks);
 };
 
 namespace internal {
@@ -98,8 +102,6 @@ void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
 // Removes boxes of other classes from the cluster's candidates.
 void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
                            BoxProbabilities& probabilities);
-// Releases the boxes of clusters that are only predicted: such a box may show another body.
-void ReleaseUnseen(std::vector<ClusterTrack>& tracks);
 std::vector<ImageBox> BoxesOf(std::span<const Detection> detections);
 void FindBoxOfTrack(const ClusterSearch& search, const Cluster& cluster, ClusterTrack& track);
 
@@ -165,7 +167,6 @@ std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,
   for (std::size_t q = 0; q < tracks.size(); ++q) tracks[q].detection = chosen[q];
   internal::AssociateGivenDetections(search, map, tracks);
   BoxRematch::Rematch(search, map, rng, taken, tracks);
-  internal::ReleaseUnseen(tracks);
   BoxRematch::Reacquire(search, archived, map, rng, taken, tracks);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     internal::FindBoxOfTrack(search, map.live[q], tracks[q]);

@@ -68,7 +68,7 @@ std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
 struct ClusterTrack {
   PredictedCluster predicted;
   RigidTransform world_from_object;  // provisional P_t^q if is_tracked, otherwise predicted
-  bool is_tracked = false;           // has a pose from at least min_tracked inliers
+  bool is_tracked = false;           // has a pose in the frame (METHOD.md 4.4, 4.6)
   std::vector<Match> matches;        // inliers: index into cluster.landmarks, feature
   int detection = -1;                // index into the frame's detections; -1: none
   ImageBox box;                      // around its matched or predicted landmarks; unset if detected
