@@ -295,7 +295,7 @@ TEST(Variants, UnknownNameListsTheKnownOnes) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("statik"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("one of: full, clustervo, "));
+    EXPECT_THAT(error.what(), testing::HasSubstr("one of: full, paper, "));
   }
 }
 
