@@ -40,7 +40,6 @@ struct Full {
   using BoxTerm = Box2dTerm;
   using AffinityTerm = cvo::AffinityTerm;
   using MotionTerm = cvo::MotionTerm;
-  using MotionEvidence = OldestTriangulation;
   using NewBody = BodiesByDepth;
   using Pairwise = NormalizedGaussianKernel;
   using Confidence = CountLabels;

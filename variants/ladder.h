@@ -25,14 +25,6 @@ struct AddBoundedBoxes : Base {
 };
 
 template <typename Base>
-struct AddReacquisition : Base {
-  static constexpr std::string_view kRung = "reacquisition";
-  static constexpr std::string_view kAdds =
-      "boxes without a cluster are tried on clusters that were not found";
-  using BoxRematch = RematchInBox;
-};
-
-template <typename Base>
 struct AddLeftImage : Base {
   static constexpr std::string_view kRung = "left_image";
   static constexpr std::string_view kAdds =
@@ -74,18 +66,6 @@ struct AddBodiesByDepth : Base {
   static void SetDefaults(Options& options) {
     Base::SetDefaults(options);
     options.extent.part_share = Options().extent.part_share;
-  }
-};
-
-template <typename Base>
-struct AddMotionEvidence : Base {
-  static constexpr std::string_view kRung = "motion_evidence";
-  static constexpr std::string_view kAdds =
-      "the motion term compares triangulations over up to 14 frames";
-  using MotionEvidence = OldestTriangulation;
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.unary.past_frames = Options().unary.past_frames;
   }
 };
 
@@ -161,17 +141,6 @@ struct AddOutlierRemoval : Base {
 };
 
 template <typename Base>
-struct AddEarlyStop : Base {
-  static constexpr std::string_view kRung = "early_stop";
-  static constexpr std::string_view kAdds = "solvers stop early, near one step per frame";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.solver.iterations = Options().solver.iterations;
-    options.solver.function_tolerance = Options().solver.function_tolerance;
-  }
-};
-
-template <typename Base>
 struct AddBodyMotion : Base {
   static constexpr std::string_view kRung = "body_motion";
   static constexpr std::string_view kAdds =
@@ -205,8 +174,9 @@ template <typename Base>
 struct AddIdentity : Base {
   static constexpr std::string_view kRung = "identity";
   static constexpr std::string_view kAdds =
-      "a new cluster explained by exactly one lost cluster takes over its id and is aligned with "
-      "it";
+      "a cluster that is not found releases its box; a new cluster explained by exactly one lost "
+      "cluster takes over its id and is aligned with it";
+  using BoxRematch = RematchInBox;
   using Identity = InheritLostIdentity;
 };
 
@@ -219,12 +189,12 @@ struct Rung {
   static constexpr std::string_view kName = R<Paper>::kRung;
   static constexpr std::string_view kAdds = R<Paper>::kAdds;
 };
-using Rungs = std::tuple<
-    Rung<AddBoundedBoxes>, Rung<AddReacquisition>, Rung<AddLeftImage>, Rung<AddMissedDetections>,
-    Rung<AddBoxSize>, Rung<AddBodiesByDepth>, Rung<AddMotionEvidence>, Rung<AddReserve>,
-    Rung<AddConfirmation>, Rung<AddAlignedPatches>, Rung<AddPromotion>, Rung<AddPatchNoise>,
-    Rung<AddSelfCalibration>, Rung<AddOutlierRemoval>, Rung<AddEarlyStop>, Rung<AddBodyMotion>,
-    Rung<AddPastInformation>, Rung<AddTraceBack>, Rung<AddIdentity>>;
+using Rungs =
+    std::tuple<Rung<AddBoundedBoxes>, Rung<AddLeftImage>, Rung<AddMissedDetections>,
+               Rung<AddBoxSize>, Rung<AddBodiesByDepth>, Rung<AddReserve>, Rung<AddConfirmation>,
+               Rung<AddAlignedPatches>, Rung<AddPromotion>, Rung<AddPatchNoise>,
+               Rung<AddSelfCalibration>, Rung<AddOutlierRemoval>, Rung<AddBodyMotion>,
+               Rung<AddPastInformation>, Rung<AddTraceBack>, Rung<AddIdentity>>;
 inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
 
 namespace internal {

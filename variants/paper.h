@@ -16,13 +16,12 @@ struct Paper {
   // Section 3.1.
   using LandmarkAssociation = ProbabilisticAssociation;
   using Boxes = PrintedBoxWeights;
-  using BoxRematch = RematchInOwnBox;
+  using BoxRematch = RematchAndRelaunch;
   using Identity = AlwaysNewIdentity;
   // Section 3.2.
   using BoxTerm = DetectedBox2dTerm;
   using AffinityTerm = cvo::AffinityTerm;
   using MotionTerm = cvo::MotionTerm;
-  using MotionEvidence = EstimateAndPast;
   using NewBody = BodiesOfAllPoints;
   using Pairwise = NormalizedGaussianKernel;
   using Confidence = CountLabels;
@@ -37,7 +36,6 @@ struct Paper {
   static void SetDefaults(Options& options) {
     options.association.left_only = false;
     options.clusters.trace_states = 0;
-    options.unary.past_frames = 5;
     options.unary.undetected_reach = 0.0;
     options.clusters.box_half_size = 0.0;
     options.clusters.confirm_detections = 1;
@@ -48,8 +46,6 @@ struct Paper {
     options.extent.part_share = 2.0;
     options.tracking.align_patches = false;
     options.noise.disagreement = 0.0;
-    options.solver.iterations = 10;
-    options.solver.function_tolerance = 1e-6;
   }
 };
 

@@ -39,7 +39,7 @@ struct UnaryOptions {
   double undetected_reach = 1.7;
   double static_energy = 2.0;
   double outlier_energy = 4.0;
-  int past_frames = 0;
+  int past_frames = 5;
   double motion_cap = 25.0;
   double max_energy = 15.0;
 
@@ -68,10 +68,10 @@ struct UnaryOptions {
                  "METHOD.md 5.4, not published"});
     visit.Field(
         "past_frames", self.past_frames,
-        {"frames", 0, 200,
-         "number of past frames that the motion term compares landmark positions over, fewer for "
-         "newer landmarks; more detects slower motion; 0: all of the temporal track",
-         "paper, section 3.2: 5; at 30 Hz a slow body hardly moves in five frames"});
+        {"frames", 1, 200,
+         "frames between the observations that the motion term compares; more detects slower "
+         "motion and says nothing of newer landmarks",
+         "paper, section 3.2"});
     visit.Field(
         "motion_cap", self.motion_cap,
         {"1", 0.1, 1e6, "maximum squared whitened error; larger gives more weight to single errors",

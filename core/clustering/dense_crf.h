@@ -21,14 +21,14 @@ struct CrfNode {
   Eigen::Vector3d z_px = Eigen::Vector3d::Zero();         // z_t^i
   Eigen::Vector3d p_in_camera = Eigen::Vector3d::Zero();  // Z_t^i, triangulated from z_t^i alone
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Identity();  // of p_in_camera
-  // Its observation in an earlier frame, z_{t'}^i.
+  // Its observation in the past frame t', z_{t'}^i.
   struct Past {
-    int frame = 0;  // index of the earlier frame, as in CrfLabel::past_from_now
     Eigen::Vector3d z_px = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance_px2 = Eigen::Matrix3d::Identity();
   };
   std::optional<Past> past;  // empty: its motion is unknown
-  // Position of the landmark in the current camera frame, for the motion and pairwise terms.
+  // Position of the landmark in the current camera frame, for the motion and pairwise terms. Where
+  // the body's pose places a landmark is taken as exact.
   struct Place {
     Eigen::Vector3d p_in_camera = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Zero();
@@ -53,10 +53,9 @@ struct CrfLabel {
     Eigen::Vector3d half_size_m = Eigen::Vector3d::Ones();
   };
   std::optional<Extent> extent;
-  // For each earlier frame, maps points p of this body from the current camera frame to the camera
-  // frame of that time, past_from_now[frame] * p: T_{t'}^{cq} (P_t^q)^-1 P_t^c of the paper. Empty
-  // if the body had no pose then.
-  std::vector<std::optional<RigidTransform>> past_from_now;
+  // Maps points of this body from the current camera frame to that of the past frame t':
+  // T_{t'}^{cq} (P_t^q)^-1 P_t^c of the paper. Empty if the body had no pose then.
+  std::optional<RigidTransform> past_from_now;
 };
 
 struct CrfScene {

@@ -178,112 +178,6 @@ void RematchAssociated(const ClusterSearch& search, const Cluster& cluster, Rng&
   }
 }
 
-// The body that the detection shows according to GivenKnowledge; invalid if unknown.
-BodyId GivenBody(const FrameView& view, int detection) {
-  const std::span<const BodyId> given = view.shown.detection_body;
-  return given.empty() ? BodyId() : given[detection];
-}
-
-// Whether the detection may show the cluster, judged by its class and its given body.
-bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
-  const BodyId given = GivenBody(view, detection);
-  return view.shown.detections[detection].category == cluster.category &&
-         (!given.valid() || given == cluster.given_body);
-}
-
-// Looks for the cluster in the detection's box. If it is found, updates the track and returns true.
-bool Reacquire(const ClusterSearch& search, const Cluster& cluster, int detection, Rng& rng,
-               TakenFeatures& taken, ClusterTrack& track) {
-  const Detection& seen = search.shown.detections[detection];
-  if (!MayShow(search, detection, cluster)) return false;
-  const std::vector<Match> matches = MatchInBox(search, cluster, {}, seen.box, taken);
-  const auto solution = SolvePose(search, cluster, track.world_from_object, matches,
-                                  search.options.association.min_rematch, false, rng);
-  if (!solution || solution->inliers <= static_cast<int>(track.matches.size())) return false;
-  AcceptPose(search, matches, *solution, taken, track);
-  track.detection = detection;
-  return true;
-}
-
-// Moves an archived cluster back to the live ones, which stay sorted by id, and inserts its track.
-void Revive(std::size_t archived, const ClusterTrack& track, ClusterMap& map,
-            std::vector<ClusterTrack>& tracks) {
-  Cluster cluster = std::move(map.archived[archived]);
-  map.archived.erase(map.archived.begin() + static_cast<std::ptrdiff_t>(archived));
-  const auto place =
-      std::lower_bound(map.live.begin(), map.live.end(), cluster.id,
-                       [](const Cluster& live, ClusterId id) { return live.id < id; });
-  tracks.insert(tracks.begin() + (place - map.live.begin()), track);
-  map.live.insert(place, std::move(cluster));
-}
-
-// A cluster that was not found. Live ones are tried first, then archived ones, latest first.
-struct Missing {
-  bool is_live = true;
-  std::size_t index = 0;  // into map.live or map.archived
-};
-
-std::vector<Missing> FindMissing(const ClusterMap& map, const std::vector<ClusterTrack>& tracks) {
-  std::vector<Missing> missing;
-  for (std::size_t q = 0; q < tracks.size(); ++q) {
-    if (tracks[q].detection < 0 && !tracks[q].is_tracked) missing.push_back({true, q});
-  }
-  for (std::size_t k = map.archived.size(); k-- > 0;) missing.push_back({false, k});
-  return missing;
-}
-
-// Matches detections that belong to no cluster with the landmarks of missing clusters.
-class Reacquisition {
- public:
-  Reacquisition(const ClusterSearch& search, const std::vector<PredictedCluster>& archived,
-                ClusterMap& map, TakenFeatures& taken, std::vector<ClusterTrack>& tracks)
-      : search_(search), archived_(archived), map_(map), taken_(taken), tracks_(tracks) {}
-
-  void Try(int detection, Rng& rng) {
-    for (const Missing& missing : FindMissing(map_, tracks_)) {
-      ClusterTrack track = TrackOf(missing);
-      if (!Reacquire(search_, ClusterOf(missing), detection, rng, taken_, track)) continue;
-      Accept(missing, track);
-      return;
-    }
-  }
-
- private:
-  const Cluster& ClusterOf(const Missing& missing) const {
-    return missing.is_live ? map_.live[missing.index] : map_.archived[missing.index];
-  }
-
-  ClusterTrack TrackOf(const Missing& missing) const {
-    if (missing.is_live) return tracks_[missing.index];
-    ClusterTrack track;
-    track.predicted = archived_[missing.index];
-    track.world_from_object = track.predicted.world_from_object;
-    return track;
-  }
-
-  void Accept(const Missing& missing, const ClusterTrack& track) {
-    if (missing.is_live) {
-      tracks_[missing.index] = track;
-      return;
-    }
-    archived_.erase(archived_.begin() + static_cast<std::ptrdiff_t>(missing.index));
-    Revive(missing.index, track, map_, tracks_);
-  }
-
-  const ClusterSearch& search_;
-  std::vector<PredictedCluster> archived_;
-  ClusterMap& map_;
-  TakenFeatures& taken_;
-  std::vector<ClusterTrack>& tracks_;
-};
-
-// Releases the boxes of clusters that are only predicted.
-void ReleaseUnseen(std::vector<ClusterTrack>& tracks) {
-  for (ClusterTrack& track : tracks) {
-    if (!track.is_tracked) track.detection = -1;
-  }
-}
-
 }  // namespace
 
 void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
@@ -294,32 +188,16 @@ void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, R
   }
 }
 
-void RematchInBox::Reacquire(const ClusterSearch& search,
-                             const std::vector<PredictedCluster>& archived, ClusterMap& map,
-                             Rng& rng, TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
-  ReleaseUnseen(tracks);
-  std::vector<char> is_used(search.shown.detections.size(), 0);
-  for (const ClusterTrack& track : tracks) {
-    if (track.detection >= 0) is_used[track.detection] = 1;
-  }
-  Reacquisition reacquisition(search, archived, map, taken, tracks);
-  for (int m = 0; m < static_cast<int>(is_used.size()); ++m) {
-    if (!is_used[m]) reacquisition.Try(m, rng);
+void ReleaseUnseen::Conclude(std::vector<ClusterTrack>& tracks) {
+  for (ClusterTrack& track : tracks) {
+    if (!track.is_tracked) track.detection = -1;
   }
 }
 
-void RematchInOwnBox::Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&,
-                                ClusterMap&, Rng&, TakenFeatures&,
-                                std::vector<ClusterTrack>& tracks) {
+void RematchAndRelaunch::Conclude(std::vector<ClusterTrack>& tracks) {
   for (ClusterTrack& track : tracks) {
     if (track.detection >= 0) track.is_tracked = true;
   }
-}
-
-void NoBoxRematch::Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&,
-                             ClusterMap&, Rng&, TakenFeatures&,
-                             std::vector<ClusterTrack>& tracks) {
-  ReleaseUnseen(tracks);
 }
 
 }  // namespace cvo

@@ -39,7 +39,6 @@ struct Options {
 
   FeatureNoise NoiseOfFeatures() const { return {noise, orb.scale_factor}; }
   // A length of 0 in the options stands for the length of T_t.
-  int PastFrames() const { return unary.past_frames > 0 ? unary.past_frames : window.temporal - 1; }
   int LiveFrames() const {
     return clusters.live_frames > 0 ? clusters.live_frames : window.temporal;
   }

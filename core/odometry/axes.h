@@ -27,9 +27,9 @@ concept FramePolicy = MarginalizationPolicy<Policy> && PromotionPolicy<Policy>;
 // The axes along which variants differ, with the concept that each one requires of its policy. Two
 // variants with the same axes are the same type of estimator, whatever their options.
 template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxPolicy B, BoxRematchPolicy BR,
-          IdentityPolicy I, UnaryTerm BT, UnaryTerm AT, UnaryTerm MT, MotionEvidencePolicy ME,
-          NewBodyAndOriginPolicy NB, PairwisePolicy P, ConfidencePolicy C, BodyMotionPolicy BM,
-          OutlierPolicy O, FramePolicy F, SolverPolicy S>
+          IdentityPolicy I, UnaryTerm BT, UnaryTerm AT, UnaryTerm MT, NewBodyAndOriginPolicy NB,
+          PairwisePolicy P, ConfidencePolicy C, BodyMotionPolicy BM, OutlierPolicy O, FramePolicy F,
+          SolverPolicy S>
 struct Axes {
   using Detections = D;
   using LandmarkAssociation = LA;
@@ -39,7 +39,6 @@ struct Axes {
   using BoxTerm = BT;
   using AffinityTerm = AT;
   using MotionTerm = MT;
-  using MotionEvidence = ME;
   using NewBody = NB;
   using Pairwise = P;
   using Confidence = C;
@@ -52,12 +51,11 @@ struct Axes {
 // Collects the policies that a variant names. A variant that lacks an axis, or names a policy that
 // does not satisfy the concept of its axis, does not compile.
 template <typename V>
-using AxesOf =
-    Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::Boxes,
-         typename V::BoxRematch, typename V::Identity, typename V::BoxTerm,
-         typename V::AffinityTerm, typename V::MotionTerm, typename V::MotionEvidence,
-         typename V::NewBody, typename V::Pairwise, typename V::Confidence, typename V::BodyMotion,
-         typename V::Outliers, typename V::Frames, typename V::Solver>;
+using AxesOf = Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::Boxes,
+                    typename V::BoxRematch, typename V::Identity, typename V::BoxTerm,
+                    typename V::AffinityTerm, typename V::MotionTerm, typename V::NewBody,
+                    typename V::Pairwise, typename V::Confidence, typename V::BodyMotion,
+                    typename V::Outliers, typename V::Frames, typename V::Solver>;
 
 template <typename V>
 concept EstimatorVariant = requires {

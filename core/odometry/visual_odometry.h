@@ -157,13 +157,12 @@ class VisualOdometry final : public Odometry {
     step.points = CollectPoints(step.view, options_.tracking.min_disparity_px, step.static_matches,
                                 step.cluster_tracks);
     const LabelSceneOptions scene{options_.NoiseOfFeatures(), options_.unary, options_.extent,
-                                  options_.clusters, options_.PastFrames()};
+                                  options_.clusters};
     step.labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
                               typename Variant::MotionTerm, typename Variant::Pairwise,
                               typename Variant::Confidence>(
         step.view, {scene, options_.pairwise, options_.label_matching}, window_, clusters_,
-        step.cluster_tracks, step.points,
-        StepsOf<typename Variant::MotionEvidence, typename Variant::NewBody>(), crf_memory_);
+        step.cluster_tracks, step.points, RuleOf<typename Variant::NewBody>(), crf_memory_);
     AdoptDetections(step.labels, clusters_, step.cluster_tracks);
   }
 
