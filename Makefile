@@ -73,6 +73,7 @@ sweep: program ## one table per parameter that is swept
 	@$(call suite,sweep_eta)
 	@$(call suite,sweep_windows)
 	@$(call suite,sweep_motion_prior)
+	@$(call suite,sweep_association)
 
 # The page is also made where jobs failed, and says so.
 SUITE ?= ablation

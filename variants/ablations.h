@@ -27,14 +27,20 @@ struct NoGpPrior : Full {
   static constexpr std::string_view kChanges =
       "without the paper's white-noise-on-acceleration prior on positions; the prior on "
       "orientations is kept";
-  using MotionPrior = WithTurnPrior<cvo::NoMotionPrior>;
+  using BodyMotion = TurnNoiseMotion;
+};
+
+struct NoTurnPrior : Full {
+  static constexpr std::string_view kName = "no_turn_prior";
+  static constexpr std::string_view kChanges = "without the motion prior on orientations";
+  using BodyMotion = TranslationNoiseMotion;
 };
 
 struct WithoutMotionPrior : Full {
   static constexpr std::string_view kName = "no_motion_prior";
   static constexpr std::string_view kChanges =
       "no motion prior at all: each pose of a cluster is estimated independently";
-  using MotionPrior = cvo::NoMotionPrior;
+  using BodyMotion = FreeMotion;
 };
 
 struct NoPairwiseTerm : Full {
@@ -62,14 +68,14 @@ struct NoMarginalization : Full {
   static constexpr std::string_view kName = "no_marginalization";
   static constexpr std::string_view kChanges =
       "frames leaving the spatial track are dropped without a prior";
-  using MarginalizationRule = MarginalizeNothing;
+  using Frames = DroppedFrames;
 };
 
 struct NoSpatialTrack : Full {
   static constexpr std::string_view kName = "no_spatial_track";
   static constexpr std::string_view kChanges =
       "frames leaving the temporal track are always discarded";
-  using SpatialTrack = PromoteNever;
+  using Frames = TemporalFrames;
 };
 
 struct NoLabelConfidence : Full {
@@ -83,6 +89,62 @@ struct Static : Full {
   static constexpr std::string_view kName = "static";
   static constexpr std::string_view kChanges = "no clusters: the static-world baseline";
   using Detections = IgnoreDetections;
+};
+
+// Each variant changes one axis or option of Static; all.h asserts the number of axes.
+struct StaticNoMarginalization : Static {
+  static constexpr std::string_view kName = "static_no_marginalization";
+  static constexpr std::string_view kChanges =
+      "static; frames leaving the spatial track are dropped without a prior";
+  using Frames = DroppedFrames;
+};
+
+struct StaticNoSpatialTrack : Static {
+  static constexpr std::string_view kName = "static_no_spatial_track";
+  static constexpr std::string_view kChanges =
+      "static; frames leaving the temporal track are always discarded";
+  using Frames = TemporalFrames;
+};
+
+struct StaticCornersOnly : Static {
+  static constexpr std::string_view kName = "static_corners_only";
+  static constexpr std::string_view kChanges =
+      "static; matched corners are not aligned with the first patch of their landmark";
+  static void SetDefaults(Options& options) {
+    Static::SetDefaults(options);
+    options.tracking.align_patches = false;
+  }
+};
+
+struct StaticShiftOnly : Static {
+  static constexpr std::string_view kName = "static_shift_only";
+  static constexpr std::string_view kChanges =
+      "static; the calibration error is estimated as one constant over the image";
+  static void SetDefaults(Options& options) {
+    Static::SetDefaults(options);
+    options.noise.right_field_px = 0.0;
+  }
+};
+
+struct StaticNoRowEvidence : Static {
+  static constexpr std::string_view kName = "static_no_row_evidence";
+  static constexpr std::string_view kChanges =
+      "static; the row offsets of the pair say nothing of the calibration error of its columns";
+  static void SetDefaults(Options& options) {
+    Static::SetDefaults(options);
+    options.noise.row_field_px = 1e6;
+  }
+};
+
+struct StaticTrustCalibration : Static {
+  static constexpr std::string_view kName = "static_trust_calibration";
+  static constexpr std::string_view kChanges =
+      "static; the calibration is trusted: its error is not estimated";
+  static void SetDefaults(Options& options) {
+    Static::SetDefaults(options);
+    options.stereo.max_row_correction_px = 0.0;
+    options.noise.right_mean_px = 0.0;
+  }
 };
 
 }  // namespace cvo

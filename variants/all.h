@@ -9,9 +9,8 @@
 
 #include "ceres_list.h"
 #include "core/odometry/axes.h"
+#include "variants/ablations.h"
 #include "variants/ladder.h"
-#include "variants/printed.h"
-#include "variants/static_ablations.h"
 
 namespace cvo {
 
@@ -56,33 +55,32 @@ struct ListedSolvers<std::tuple<V...>> {
 static_assert(CountDifferences<UpTo<kRungs - 1>, Full>() == 0);
 
 // The variants with a definition of their own, except CeresVariants.
-using NamedVariants = std::tuple<Listed<Full, Full, 0>,                     //
-                                 Listed<ClusterVo, ClusterVo, 0>,           //
-                                 Listed<ClusterVo, PrintedGate>,            //
-                                 Listed<ClusterVo, PrintedBoxes>,           //
-                                 Listed<ClusterVo, PrintedAffinity>,        //
-                                 Listed<ClusterVo, PrintedMotion>,          //
-                                 Listed<ClusterVo, PrintedKernel>,          //
-                                 Listed<ClusterVo, PrintedSeconds>,         //
-                                 Listed<Full, Only2d, 2>,                   //
-                                 Listed<Full, Only2d3d>,                    //
-                                 Listed<Full, NoGpPrior>,                   //
-                                 Listed<Full, WithoutMotionPrior>,          //
-                                 Listed<Full, NoPairwiseTerm>,              //
-                                 Listed<Full, NoProbabilisticAssociation>,  //
-                                 Listed<Full, WithoutBoxRematch>,           //
-                                 Listed<Full, NoMarginalization>,           //
-                                 Listed<Full, NoSpatialTrack>,              //
-                                 Listed<Full, NoLabelConfidence>,           //
-                                 Listed<Full, Static>,                      //
-                                 Listed<Static, StaticNoMarginalization>,   //
-                                 Listed<Static, StaticMarginalizeLost>,     //
-                                 Listed<Static, StaticPriorGauge>,          //
-                                 Listed<Static, StaticNoSpatialTrack>,      //
-                                 Listed<Static, StaticCornersOnly, 0>,      //
-                                 Listed<Static, StaticShiftOnly>,           //
-                                 Listed<Static, StaticNoRowEvidence, 0>,    //
-                                 Listed<Static, StaticTrustCalibration>>;
+using NamedVariants = std::tuple<Listed<Full, Full, 0>,                                        //
+                                 Listed<Paper, Paper, 0>,                                      //
+                                 Listed<Paper, Paper2d, 2>,                                    //
+                                 Listed<Paper, Paper2d3d>,                                     //
+                                 Listed<Paper, PaperNoMotionPrior>,                            //
+                                 Listed<Paper, PrintedGate>,                                   //
+                                 Listed<Paper, PrintedBoxes>,                                  //
+                                 Listed<Paper, PrintedAffinity>,                               //
+                                 Listed<Paper, PrintedKernel>,                                 //
+                                 Listed<Full, Only2d, 2>,                                      //
+                                 Listed<Full, Only2d3d>,                                       //
+                                 Listed<Full, NoGpPrior>,                                      //
+                                 Listed<Full, NoTurnPrior>, Listed<Full, WithoutMotionPrior>,  //
+                                 Listed<Full, NoPairwiseTerm>,                                 //
+                                 Listed<Full, NoProbabilisticAssociation>,                     //
+                                 Listed<Full, WithoutBoxRematch>,                              //
+                                 Listed<Full, NoMarginalization>,                              //
+                                 Listed<Full, NoSpatialTrack>,                                 //
+                                 Listed<Full, NoLabelConfidence>,                              //
+                                 Listed<Full, Static>,                                         //
+                                 Listed<Static, StaticNoMarginalization>,                      //
+                                 Listed<Static, StaticNoSpatialTrack>,                         //
+                                 Listed<Static, StaticCornersOnly, 0>,                         //
+                                 Listed<Static, StaticShiftOnly, 0>,                           //
+                                 Listed<Static, StaticNoRowEvidence, 0>,                       //
+                                 Listed<Static, StaticTrustCalibration, 0>>;
 // Every variant in the program, in the order in which they are listed to users: NamedVariants,
 // CeresVariants, then those that the ladder makes.
 using AllVariants = decltype(std::tuple_cat(

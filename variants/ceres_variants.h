@@ -4,7 +4,7 @@
 
 #include "core/ceres/ceres_solvers.h"
 #include "variants/ablations.h"
-#include "variants/clustervo.h"
+#include "variants/paper.h"
 
 namespace cvo {
 
@@ -16,10 +16,10 @@ struct FullCeres : Full {
   using Solver = CeresSolver;
 };
 
-struct ClusterVoCeres : ClusterVo {
-  using OwnSolver = ClusterVo;
-  static constexpr std::string_view kName = "clustervo_ceres";
-  static constexpr std::string_view kChanges = "clustervo; windows are solved by Ceres";
+struct PaperCeres : Paper {
+  using OwnSolver = Paper;
+  static constexpr std::string_view kName = "paper_ceres";
+  static constexpr std::string_view kChanges = "paper; windows are solved by Ceres";
   using Solver = CeresSolver;
 };
 

@@ -19,22 +19,31 @@ std::unique_ptr<Odometry> Make(const OdometrySetup& setup, TaskPool& pool) {
   return Instantiate<kIndex % kInstantiations>(kIndex, setup, pool);
 }
 
+// A variant has a name of its own or, on the ladder, one made of its rung's.
 template <std::size_t kIndex>
-Options Defaults() {
-  Options options;
-  VariantAt<kIndex>::SetDefaults(options);
-  return options;
+VariantInfo Info() {
+  using V = VariantAt<kIndex>;
+  constexpr auto kDefaults = [] {
+    Options options;
+    V::SetDefaults(options);
+    return options;
+  };
+  if constexpr (requires { V::Name(); }) {
+    return {V::Name(), V::Changes(), kDefaults, &Make<kIndex>};
+  } else {
+    return {std::string(V::kName), std::string(V::kChanges), kDefaults, &Make<kIndex>};
+  }
 }
-
-constexpr auto kInfos = []<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
-  return std::array<VariantInfo, kVariants>{VariantInfo{
-      VariantAt<kIndex>::kName, VariantAt<kIndex>::kChanges, &Defaults<kIndex>, &Make<kIndex>}...};
-}
-(std::make_index_sequence<kVariants>());
 
 }  // namespace
 
-std::span<const VariantInfo> Variants() { return kInfos; }
+std::span<const VariantInfo> Variants() {
+  static const auto kInfos = []<std::size_t... kIndex>(std::index_sequence<kIndex...>) {
+    return std::array<VariantInfo, kVariants>{Info<kIndex>()...};
+  }
+  (std::make_index_sequence<kVariants>());
+  return kInfos;
+}
 
 std::span<const VariantInfo> NamedVariantInfos() { return Variants().first(kNamedVariants); }
 

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "core/interface/frame.h"
@@ -11,9 +12,9 @@
 namespace cvo {
 
 struct VariantInfo {
-  std::string_view name;
-  std::string_view changes;  // one line on what it changes
-  Options (*defaults)();     // the options it starts from
+  std::string name;
+  std::string changes;    // one line on what it changes
+  Options (*defaults)();  // the options it starts from
   std::unique_ptr<Odometry> (*make)(const OdometrySetup& setup, TaskPool& pool);
 };
 

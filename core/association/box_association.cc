@@ -258,24 +258,22 @@ std::vector<int> Assign(const Eigen::MatrixXd& cost) {
 
 namespace {
 
-// Weights and numbers of members in each box, and the weight of the members in no box.
+// Weight of the members in each box, and of those in no box.
 struct BoxSums {
   std::vector<double> by_box;
-  std::vector<int> members;
   double in_none = 0.0;
 };
 
 template <typename Weight>
 BoxSums SumWeights(std::span<const BoxMember> cluster, std::span<const ImageBox> boxes,
                    Weight weight) {
-  BoxSums sums{std::vector<double>(boxes.size(), 0.0), std::vector<int>(boxes.size(), 0)};
+  BoxSums sums{std::vector<double>(boxes.size(), 0.0)};
   for (const BoxMember& member : cluster) {
     const double w = weight(member);
     bool in_any = false;
     for (std::size_t m = 0; m < boxes.size(); ++m) {
       if (!boxes[m].Contains(member.zeta_px[0], member.zeta_px[1])) continue;
       sums.by_box[m] += w;
-      ++sums.members[m];
       in_any = true;
     }
     if (!in_any) sums.in_none += w;
@@ -287,7 +285,7 @@ double Information(double p) { return p > 0.0 ? -p * std::log(p) : 0.0; }
 
 // Computes the probabilities and their entropy. `in_none` is the weight of the null box.
 BoxProbabilities Normalize(const BoxSums& sums, double in_none) {
-  BoxProbabilities result{sums.by_box, sums.by_box, sums.members, 0.0};
+  BoxProbabilities result{sums.by_box, sums.by_box, 0.0};
   double total = in_none;
   for (const double weight : sums.by_box) total += weight;
   if (!(total > 0.0)) return result;
@@ -333,8 +331,7 @@ std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int 
     if (!(clusters[q].entropy < options.max_entropy)) continue;
     for (int m = 0; m < boxes; ++m) {
       const double p = clusters[q].probability[m];
-      if (p < options.min_box_probability || !(p > 0.0)) continue;
-      if (clusters[q].members[m] < options.min_box_members) continue;
+      if (!(p > 0.0)) continue;
       costs(static_cast<Eigen::Index>(q), m) = cost(p, clusters[q].weight[m] / total[m]);
     }
   }

@@ -35,7 +35,6 @@ struct BoxMember {
 struct BoxProbabilities {
   std::vector<double> probability;  // by box
   std::vector<double> weight;       // by box: sum over the landmarks inside
-  std::vector<int> members;         // by box: number of landmarks inside
   double entropy = 0.0;             // bits
 };
 

@@ -6,20 +6,21 @@
 
 namespace cvo {
 
+// Maximum descriptor distance without a prediction (METHOD.md 4.6).
+inline constexpr int kRematchHamming = 60;
+// Maximum ratio of the best to the second best distance without a prediction (METHOD.md 4.6).
+inline constexpr double kRematchRatio = 0.85;
+// RANSAC hypotheses per cluster: with 35 % inliers, 100 succeed with probability 99 % (1 - (1 -
+// 0.35^3)^100).
+inline constexpr int kRansacIterations = 100;
+
 // Options for the association of features and boxes with clusters (section 3.1 of the paper).
 struct ClusterAssociationOptions {
-  double gamma = 7.815;
+  double gamma = 4.0;
   double max_radius_px = 60.0;
-  double fixed_radius_px = 20.0;
   int max_hamming = 75;
   double ratio = 0.9;
-  double max_view_change_rad = 1.0;
-  double min_box_probability = 0.3;
-  double max_entropy = 1.44;
-  int min_box_members = 3;
-  int rematch_hamming = 60;
-  double rematch_ratio = 0.85;
-  int ransac_iterations = 100;
+  double max_entropy = 1.0;
   int min_rematch = 7;
   bool left_only = true;
 
@@ -29,50 +30,20 @@ struct ClusterAssociationOptions {
                 {"1", 0.1, 1000,
                  "gate on the squared Mahalanobis distance of a feature from its prediction; "
                  "larger gives fewer missed and more false matches",
-                 "95 % of chi^2 with 3 degrees of freedom; the paper has 4.0 (74 %)"});
+                 "paper, section 3.1; 74 % of chi^2 with 3 degrees of freedom"});
     visit.Field("max_radius_px", self.max_radius_px,
                 {"px", 1, 500, "maximum search radius", "METHOD.md 4.2"});
-    visit.Field("fixed_radius_px", self.fixed_radius_px,
-                {"px", 1, 500, "search radius of variants without probabilistic association",
-                 "as the wide search of static landmarks"});
     visit.Field("max_hamming", self.max_hamming,
                 {"bits", 1, 256, "maximum descriptor distance within the gate", "METHOD.md 4.3"});
     visit.Field("ratio", self.ratio,
                 {"1", 0.1, 1.0, "maximum ratio of the best to the second best distance",
                  "as for static landmarks"});
-    visit.Field("max_view_change_rad", self.max_view_change_rad,
-                {"rad", 0.1, 3.15,
-                 "maximum change of viewing direction since a landmark was last observed for it to "
-                 "be searched: a body occludes its own far side",
-                 "corners survive about 60 degrees"});
-    visit.Field("min_box_probability", self.min_box_probability,
-                {"1", 0, 1,
-                 "minimum share of a cluster's weight inside a box for the cluster to be assigned "
-                 "to that box",
-                 "METHOD.md 4.5"});
     visit.Field(
         "max_entropy", self.max_entropy,
         {"bit", 0, 20,
          "maximum entropy of a cluster's distribution over boxes for the cluster to be assigned to "
          "one",
-         "paper, section 3.1: 1.0, read as nats; one bit refuses every pair of overlapping boxes"});
-    visit.Field(
-        "min_box_members", self.min_box_members,
-        {"landmarks", 1, 1000,
-         "minimum landmarks of a cluster inside a box for the cluster to be assigned to that box",
-         "METHOD.md 4.5"});
-    visit.Field(
-        "rematch_hamming", self.rematch_hamming,
-        {"bits", 1, 256, "maximum descriptor distance without a prediction", "METHOD.md 4.6"});
-    visit.Field("rematch_ratio", self.rematch_ratio,
-                {"1", 0.1, 1.0,
-                 "maximum ratio of the best to the second best distance without a prediction",
-                 "METHOD.md 4.6"});
-    visit.Field(
-        "ransac_iterations", self.ransac_iterations,
-        {"1", 1, 100000,
-         "RANSAC hypotheses per cluster: with 35 % inliers, 100 succeed with probability 99 %",
-         "1 - (1 - 0.35^3)^100"});
+         "paper, section 3.1"});
     visit.Field(
         "min_rematch", self.min_rematch,
         {"landmarks", 3, 1000,

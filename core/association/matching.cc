@@ -66,6 +66,10 @@ std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
 
 namespace {
 
+// Search radius of variants without probabilistic association (as the wide search of static
+// landmarks).
+constexpr double kFixedRadius_px = 20.0;
+
 std::vector<int> All(std::size_t count) {
   std::vector<int> indices(count);
   std::iota(indices.begin(), indices.end(), 0);
@@ -216,10 +220,9 @@ std::vector<Match> FixedRadiusAssociation::Find(std::span<const PredictedLandmar
                                                 const FeatureGrid& grid,
                                                 const std::vector<char>& is_taken,
                                                 const ClusterAssociationOptions& options) {
-  const double radius = options.fixed_radius_px;
   return FindOneToOne(landmarks, grid, [&](const PredictedLandmark& landmark) {
-    return FindSimilar(landmark, grid, radius, options, IsFree(grid, is_taken, false),
-                       [&](const Eigen::Vector3d& d) { return std::abs(d[2]) <= radius; });
+    return FindSimilar(landmark, grid, kFixedRadius_px, options, IsFree(grid, is_taken, false),
+                       [&](const Eigen::Vector3d& d) { return std::abs(d[2]) <= kFixedRadius_px; });
   });
 }
 

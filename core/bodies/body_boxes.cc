@@ -80,10 +80,10 @@ Interval RangeAlong(const Eigen::Vector3d& axis, const Eigen::Matrix3Xd& points,
 }  // namespace
 
 Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& forward,
-                              const Eigen::Vector3d& down, const BodyBoxOptions& options) {
+                              const Eigen::Vector3d& down) {
   if (points.cols() < kFewPoints) return BoxAxes(forward, down);
   const auto length_m = [&](const Eigen::Vector3d& axis) {
-    const Interval range = RangeAlong(axis, points, options.quantile);
+    const Interval range = RangeAlong(axis, points, kSideQuantile);
     return range.high - range.low;
   };
   Eigen::Vector3d best = forward;
@@ -102,10 +102,10 @@ Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vecto
 }
 
 LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
-                         const BodyBoxOptions& options, const ExtentOptions& extent) {
+                         const ExtentOptions& extent) {
   LandmarkSides sides;
   for (int k = 0; k < 3; ++k) {
-    const Interval range = RangeAlong(axes.col(k), points, options.quantile);
+    const Interval range = RangeAlong(axes.col(k), points, kSideQuantile);
     sides.low[k] = range.low;
     sides.high[k] = range.high;
     sides.size_m[k] = std::max(range.high - range.low, 2.0 * extent.min_half_size_m);
@@ -113,14 +113,13 @@ LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& po
   return sides;
 }
 
-Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& viewed,
-                             const BodyBoxOptions& options) {
+Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& viewed) {
   Eigen::Vector3d sides_m = size_m;
   if (viewed.height_m > 0.0) sides_m.y() = viewed.height_m;
   if (viewed.square_m > 0.0) {
     for (const int k : {0, 2}) {
-      sides_m[k] = std::clamp(sides_m[k], viewed.square_m / options.footprint_ratio,
-                              viewed.square_m * options.footprint_ratio);
+      sides_m[k] = std::clamp(sides_m[k], viewed.square_m / kFootprintRatio,
+                              viewed.square_m * kFootprintRatio);
     }
   }
   return sides_m;
@@ -168,35 +167,33 @@ struct UnseenEdges {
   bool down = false;    // top or bottom
 };
 
-UnseenEdges UnseenOf(const FrameView& view, const BoxCenterOptions& options, int detection) {
-  const bool is_hidden = MayBeHidden(view, options.max_overlap, detection);
-  const CutEdges cut = CutBy(view.camera, options.border_px, view.shown.detections[detection].box);
+UnseenEdges UnseenOf(const FrameView& view, int detection) {
+  const bool is_hidden = MayBeHidden(view, kMaxOverlap, detection);
+  const CutEdges cut = CutBy(view.camera, view.shown.detections[detection].box);
   return {is_hidden || cut.left || cut.right, is_hidden || cut.top || cut.bottom};
 }
 
-Eigen::Vector3d Deviations(const BoxCenterOptions& options, const UnseenEdges& unseen,
-                           double size_m) {
-  return size_m * Eigen::Vector3d(unseen.across ? options.unseen_deviation : options.edge_deviation,
-                                  unseen.down ? options.unseen_deviation : options.edge_deviation,
-                                  options.unseen_deviation);
+Eigen::Vector3d Deviations(const UnseenEdges& unseen, double size_m) {
+  return size_m * Eigen::Vector3d(unseen.across ? kUnseenDeviation : kEdgeDeviation,
+                                  unseen.down ? kUnseenDeviation : kEdgeDeviation,
+                                  kUnseenDeviation);
 }
 
 }  // namespace
 
-CutEdges CutBy(const StereoCamera& camera, double border_px, const ImageBox& box) {
-  const double last_u_px = camera.width_px - 1 - border_px;
-  const double last_v_px = camera.height_px - 1 - border_px;
+CutEdges CutBy(const StereoCamera& camera, const ImageBox& box) {
+  const double last_u_px = camera.width_px - 1 - kBorder_px;
+  const double last_v_px = camera.height_px - 1 - kBorder_px;
   CutEdges cut;
-  cut.left = box.left_px < border_px;
-  cut.top = box.top_px < border_px;
+  cut.left = box.left_px < kBorder_px;
+  cut.top = box.top_px < kBorder_px;
   cut.right = box.right_px > last_u_px;
   cut.bottom = box.bottom_px > last_v_px;
   return cut;
 }
 
-Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& options,
-                                 int detection, double size_m) {
-  return Deviations(options, UnseenOf(view, options, detection), size_m);
+Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m) {
+  return Deviations(UnseenOf(view, detection), size_m);
 }
 
 Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
@@ -208,8 +205,8 @@ Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
   return R * deviations_m.cwiseAbs2().cwiseInverse().asDiagonal() * R.transpose();
 }
 
-BoxCenter CenterFromBox(const FrameView& view, const BoxCenterOptions& options, double birth_depth,
-                        int detection, const Eigen::Vector3d& surface_in_world) {
+BoxCenter CenterFromBox(const FrameView& view, double birth_depth, int detection,
+                        const Eigen::Vector3d& surface_in_world) {
   const ImageBox& box = view.shown.detections[detection].box;
   const double surface_m = (view.world_from_camera.Inverse() * surface_in_world).z();
   const Eigen::Vector3d ray((0.5 * (box.left_px + box.right_px) - view.camera.cx) / view.camera.fx,
@@ -220,9 +217,9 @@ BoxCenter CenterFromBox(const FrameView& view, const BoxCenterOptions& options, 
                                                               box.Height() / view.camera.fy));
   const double center_m = surface_m + birth_depth * result.size_m;
   result.center_in_world = view.world_from_camera * (center_m * ray);
-  const UnseenEdges unseen = UnseenOf(view, options, detection);
+  const UnseenEdges unseen = UnseenOf(view, detection);
   result.information =
-      InformationAlong(view.world_from_camera, ray, Deviations(options, unseen, result.size_m));
+      InformationAlong(view.world_from_camera, ray, Deviations(unseen, result.size_m));
   result.is_whole = !unseen.across && !unseen.down;
   return result;
 }
@@ -269,9 +266,10 @@ void Follow(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
 
 void TurnToMotion(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
   const Eigen::Vector3d at = cluster.Latest().world_from_object * cluster.center_in_object;
-  const double least_m = scene.options.boxes.heading_deviations *
-                         DepthDeviation(scene.view->camera, scene.options.place.disparity_px,
-                                        scene.world_from_camera.Inverse() * at);
+  const double least_m =
+      scene.options.boxes.heading_deviations *
+      DepthDeviation(scene.view->camera, scene.options.noise.options.disparity_px,
+                     scene.world_from_camera.Inverse() * at);
   const auto direction = DirectionOfMotion(cluster, cluster.center_in_object, scene.down, least_m);
   if (direction) track.forward = *direction;
 }
@@ -279,16 +277,14 @@ void TurnToMotion(const BoxScene& scene, const Cluster& cluster, BodyTrack& trac
 // Sets axes and sides. `known_m` is 0 for sides that are estimated from landmarks and images.
 void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector3d& known_m,
               BodyTrack& track) {
-  const BodyBoxOptions& options = scene.options.boxes;
   const Eigen::Matrix3Xd points = PointsOf(cluster);
   const bool is_known = known_m.minCoeff() > 0.0;
   track.shape.axes = is_known ? BoxAxes(track.forward, scene.down)
-                              : FootprintAxes(points, track.forward, scene.down, options);
-  const LandmarkSides sides = SidesAlong(track.shape.axes, points, options, scene.options.extent);
+                              : FootprintAxes(points, track.forward, scene.down);
+  const LandmarkSides sides = SidesAlong(track.shape.axes, points, scene.options.extent);
   track.shape.is_round = IsRound(cluster.category);
-  const Eigen::Vector3d size_m = track.shape.is_round
-                                     ? SidesOfBall(sides.size_m, track.viewed)
-                                     : WithPictures(sides.size_m, track.viewed, options);
+  const Eigen::Vector3d size_m = track.shape.is_round ? SidesOfBall(sides.size_m, track.viewed)
+                                                      : WithPictures(sides.size_m, track.viewed);
   track.shape.size_m = (known_m.array() > 0.0).select(known_m, size_m);
   const Eigen::Vector3d camera = scene.world_from_camera.translation();
   track.landmark_center = CenterBehindNearSides(sides, track.shape, camera);
@@ -298,18 +294,18 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
 void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTrack& track) {
   const BoxSceneOptions& options = scene.options;
   const std::optional<BoxPlace> place =
-      is_known ? PlaceBySurface(*scene.view, options.place, scene.newest, cluster, track.shape)
-               : PlaceByPicture(*scene.view, options.place, scene.newest, cluster, track.shape,
-                                track.landmark_center);
+      is_known ? PlaceBySurface(*scene.view, options.noise.options.disparity_px, scene.newest,
+                                cluster, track.shape)
+               : PlaceByPicture(*scene.view, options.noise.options.disparity_px, scene.newest,
+                                cluster, track.shape, track.landmark_center);
   if (!place) return;
-  const double kept = 1.0 - 1.0 / options.boxes.max_views;
+  const double kept = 1.0 - 1.0 / kMaxViews;
   track.center.information *= kept;
   track.center.weighted *= kept;
   track.center.Add(cluster.Latest().world_from_object.Inverse(), place->center_in_world,
                    place->information);
   if (!is_known) {
-    AddPicture(*scene.view, options.place.box_center.border_px, cluster.detection, track.shape,
-               place->center_in_world, track.viewed);
+    AddPicture(*scene.view, cluster.detection, track.shape, place->center_in_world, track.viewed);
   }
 }
 
@@ -333,7 +329,7 @@ void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& repo
     std::shared_ptr<BodyTrack>& kept = tracks_[cluster.id];
     if (!kept) kept = std::make_shared<BodyTrack>();
     BodyTrack& track = *kept;
-    const Eigen::Vector3d known_m = scene.options.boxes.SizeOf(cluster.category);
+    const Eigen::Vector3d known_m = SizeOfClass(cluster.category);
     Follow(scene, cluster, track);
     const bool is_seen = scene.view != nullptr && cluster.Latest().frame == scene.newest;
     if (is_seen) {

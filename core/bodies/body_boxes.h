@@ -25,7 +25,7 @@ double ScoreOf(const FeatureNoise& noise, const ClusterOptions& options, const F
 // footprint; of its four directions, the one nearest to `forward` is the first axis. With fewer
 // than 20 points, that axis is `forward` itself.
 Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vector3d& forward,
-                              const Eigen::Vector3d& down, const BodyBoxOptions& options);
+                              const Eigen::Vector3d& down);
 
 // Range between outer quantiles of the points along the axes.
 struct LandmarkSides {
@@ -34,12 +34,11 @@ struct LandmarkSides {
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
 };
 LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
-                         const BodyBoxOptions& options, const ExtentOptions& extent);
+                         const ExtentOptions& extent);
 
 // Corrects the sides by those seen in images: the height is that in the images, and each side of
-// the footprint is kept within the factor boxes.footprint_ratio of the square that looks as wide.
-Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& viewed,
-                             const BodyBoxOptions& options);
+// the footprint is kept within the factor kFootprintRatio of the square that looks as wide.
+Eigen::Vector3d WithPictures(const Eigen::Vector3d& size_m, const ViewedSides& viewed);
 
 // Returns the sides of a ball: all are its diameter, which is the larger of height and width in the
 // images or, without these, the largest side of the landmarks.
@@ -52,19 +51,18 @@ Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape
 
 // Options of the steps that estimate a body's centre from its box.
 struct BodyCenterOptions {
-  BoxCenterOptions box_center;
   ExtentOptions extent;
   double birth_depth = 0.0;  // clusters.birth_depth
 };
 
-// Edges of a box that the image border may cut: those closer to it than `border_px`.
+// Edges of a box that the image border may cut: those closer to it than `kBorder_px`.
 struct CutEdges {
   bool left = false;
   bool top = false;
   bool right = false;
   bool bottom = false;
 };
-CutEdges CutBy(const StereoCamera& camera, double border_px, const ImageBox& box);
+CutEdges CutBy(const StereoCamera& camera, const ImageBox& box);
 
 // A body's centre as estimated from a single box and the surface points in it.
 struct BoxCenter {
@@ -78,13 +76,12 @@ struct BoxCenter {
 // `birth_depth` times the smaller side of the box. Where in the box the surface points lie does not
 // matter: the texture may be on one side. The information is low where the box may show only a part
 // of the body, because the image border cuts it or another box overlaps it.
-BoxCenter CenterFromBox(const FrameView& view, const BoxCenterOptions& options, double birth_depth,
-                        int detection, const Eigen::Vector3d& surface_in_world);
+BoxCenter CenterFromBox(const FrameView& view, double birth_depth, int detection,
+                        const Eigen::Vector3d& surface_in_world);
 
 // Standard deviations (m) of a body's centre as estimated from its detection's box, across the line
 // of sight (right, down) and along it. `size_m` is the smaller side of the box at the body's depth.
-Eigen::Vector3d CenterDeviations(const FrameView& view, const BoxCenterOptions& options,
-                                 int detection, double size_m);
+Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m);
 
 // Information matrix, in world, of a point in direction `ray` of the camera, given the standard
 // deviations across the ray (right, down) and along it.
@@ -96,7 +93,6 @@ struct BoxSceneOptions {
   FeatureNoise noise;
   ClusterOptions clusters;
   ExtentOptions extent;
-  BodyPlaceOptions place;
   BodyBoxOptions boxes;
 };
 

@@ -179,10 +179,10 @@ double EdgeShift(double at_low_px, double at_high_px, bool cuts_low, bool cuts_h
 }
 
 // Returns the centre moved such that the projection of the box is centred in the detection's box.
-Eigen::Vector3d Centred(const StereoCamera& camera, double border_px, const ImageBox& box,
-                        const BoxShape& seen, const Eigen::Vector3d& center) {
+Eigen::Vector3d Centred(const StereoCamera& camera, const ImageBox& box, const BoxShape& seen,
+                        const Eigen::Vector3d& center) {
   const ImageBox picture = PictureOf(camera, seen, center);
-  const CutEdges cut = CutBy(camera, border_px, box);
+  const CutEdges cut = CutBy(camera, box);
   const double du_px = EdgeShift(box.left_px - picture.left_px, box.right_px - picture.right_px,
                                  cut.left, cut.right);
   const double dv_px = EdgeShift(box.top_px - picture.top_px, box.bottom_px - picture.bottom_px,
@@ -252,12 +252,10 @@ BoxShape InCamera(const FrameView& view, const BoxShape& shape) {
           shape.is_round};
 }
 
-BoxPlace PlaceAt(const FrameView& view, const BodyPlaceOptions& options, int detection,
-                 const BoxShape& shape, const Eigen::Vector3d& center) {
-  Eigen::Vector3d deviations =
-      CenterDeviations(view, options.box_center, detection, shape.size_m.minCoeff());
-  deviations.z() =
-      std::hypot(deviations.z(), DepthDeviation(view.camera, options.disparity_px, center));
+BoxPlace PlaceAt(const FrameView& view, double disparity_px, int detection, const BoxShape& shape,
+                 const Eigen::Vector3d& center) {
+  Eigen::Vector3d deviations = CenterDeviations(view, detection, shape.size_m.minCoeff());
+  deviations.z() = std::hypot(deviations.z(), DepthDeviation(view.camera, disparity_px, center));
   return {view.world_from_camera * center,
           InformationAlong(view.world_from_camera, center, deviations)};
 }
@@ -288,40 +286,36 @@ void ViewedSides::Add(double measured_m, double& side_m) {
   side_m += (measured_m > side_m ? kUp : kDown) * (measured_m - side_m);
 }
 
-std::optional<BoxPlace> PlaceBySurface(const FrameView& view, const BodyPlaceOptions& options,
-                                       FrameId newest, const Cluster& cluster,
-                                       const BoxShape& shape) {
+std::optional<BoxPlace> PlaceBySurface(const FrameView& view, double disparity_px, FrameId newest,
+                                       const Cluster& cluster, const BoxShape& shape) {
   if (!IsDetected(cluster, newest)) return std::nullopt;
   const std::vector<Eigen::Vector3d> points = SeenPoints(view, newest, cluster);
   if (points.empty()) return std::nullopt;
   const BoxShape seen = InCamera(view, shape);
   Eigen::Vector3d center = MedianPoint(points);
   for (int i = 0; i < kRounds; ++i) {
-    center = Centred(view.camera, options.box_center.border_px,
-                     view.shown.detections[cluster.detection].box, seen, center);
-    center += SurfaceShift(points, seen, center,
-                           DepthDeviation(view.camera, options.disparity_px, center)) *
-              center.normalized();
+    center = Centred(view.camera, view.shown.detections[cluster.detection].box, seen, center);
+    center +=
+        SurfaceShift(points, seen, center, DepthDeviation(view.camera, disparity_px, center)) *
+        center.normalized();
   }
-  return PlaceAt(view, options, cluster.detection, shape, center);
+  return PlaceAt(view, disparity_px, cluster.detection, shape, center);
 }
 
-std::optional<BoxPlace> PlaceByPicture(const FrameView& view, const BodyPlaceOptions& options,
-                                       FrameId newest, const Cluster& cluster,
-                                       const BoxShape& shape,
+std::optional<BoxPlace> PlaceByPicture(const FrameView& view, double disparity_px, FrameId newest,
+                                       const Cluster& cluster, const BoxShape& shape,
                                        const Eigen::Vector3d& center_in_world) {
   const Eigen::Vector3d center = view.world_from_camera.Inverse() * center_in_world;
   if (!IsDetected(cluster, newest) || center.z() < kNear_m) return std::nullopt;
-  return PlaceAt(
-      view, options, cluster.detection, shape,
-      Centred(view.camera, options.box_center.border_px,
-              view.shown.detections[cluster.detection].box, InCamera(view, shape), center));
+  return PlaceAt(view, disparity_px, cluster.detection, shape,
+                 Centred(view.camera, view.shown.detections[cluster.detection].box,
+                         InCamera(view, shape), center));
 }
 
-void AddPicture(const FrameView& view, double border_px, int detection, const BoxShape& shape,
+void AddPicture(const FrameView& view, int detection, const BoxShape& shape,
                 const Eigen::Vector3d& center_in_world, ViewedSides& viewed) {
   const ImageBox& box = view.shown.detections[detection].box;
-  const CutEdges cut = CutBy(view.camera, border_px, box);
+  const CutEdges cut = CutBy(view.camera, box);
   const Eigen::Matrix3d axes = InCamera(view, shape).axes;
   const Eigen::Vector3d center = view.world_from_camera.Inverse() * center_in_world;
   const double depth_m = std::max(center.z(), kNear_m);

@@ -62,12 +62,6 @@ struct BoxPlace {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the centre, in world, 1/m^2
 };
 
-// Options for placing bodies.
-struct BodyPlaceOptions {
-  BoxCenterOptions box_center;
-  double disparity_px = 0.0;  // noise.disparity_px
-};
-
 // Standard deviation of the depth of a single triangulated point p in the camera frame, m.
 double DepthDeviation(const StereoCamera& camera, double disparity_px, const Eigen::Vector3d& p);
 
@@ -75,15 +69,13 @@ double DepthDeviation(const StereoCamera& camera, double disparity_px, const Eig
 // between those edges that the image does not cut, and the foremost of the landmarks seen lie on
 // the faces turned to the camera. Empty if frame `newest` has no detection or no landmarks of the
 // cluster.
-std::optional<BoxPlace> PlaceBySurface(const FrameView& view, const BodyPlaceOptions& options,
-                                       FrameId newest, const Cluster& cluster,
-                                       const BoxShape& shape);
+std::optional<BoxPlace> PlaceBySurface(const FrameView& view, double disparity_px, FrameId newest,
+                                       const Cluster& cluster, const BoxShape& shape);
 
 // The same for a body that is not a solid box: the depth is that of `center_in_world`. Empty
 // without a detection, or if that depth is below 0.5 m.
-std::optional<BoxPlace> PlaceByPicture(const FrameView& view, const BodyPlaceOptions& options,
-                                       FrameId newest, const Cluster& cluster,
-                                       const BoxShape& shape,
+std::optional<BoxPlace> PlaceByPicture(const FrameView& view, double disparity_px, FrameId newest,
+                                       const Cluster& cluster, const BoxShape& shape,
                                        const Eigen::Vector3d& center_in_world);
 
 // The sides of a body as seen in images so far; 0: not yet seen. Occlusion only makes a body look
@@ -97,9 +89,9 @@ struct ViewedSides {
 
 // Adds the sides with which a body at `center_in_world` would fill the detection: those of a ball,
 // or otherwise midway between those of a box and of an ellipsoid. Height and width are measured
-// only where both edges are at least `border_px` from the image border, which may cut the
+// only where both edges are at least kBorder_px from the image border, which may cut the
 // detection.
-void AddPicture(const FrameView& view, double border_px, int detection, const BoxShape& shape,
+void AddPicture(const FrameView& view, int detection, const BoxShape& shape,
                 const Eigen::Vector3d& center_in_world, ViewedSides& viewed);
 
 }  // namespace cvo

@@ -35,16 +35,12 @@ struct PairwiseOptions {
 // Options of the unary terms of the CRF. Energies are negative log probabilities in nats.
 struct UnaryOptions {
   double eta = 0.95;
-  double box_shrink = 0.05;
-  double box_foot = 0.2;
   double kappa = 2.0;
   double undetected_reach = 1.7;
-  double static_energy = 1.0;
+  double static_energy = 2.0;
   double outlier_energy = 4.0;
-  int past_frames = 0;
+  int past_frames = 5;
   double motion_cap = 25.0;
-  double neutral_motion = 1.5;
-  double outlier_motion = 4.5;
   double max_energy = 15.0;
 
   template <typename Self, typename Visitor>
@@ -53,18 +49,6 @@ struct UnaryOptions {
         "eta", self.eta,
         {"1", 0.0, 1.0, "prior probability that a landmark has the label given by the boxes",
          "paper, section 4.1"});
-    visit.Field("box_shrink", self.box_shrink,
-                {"1", 0.0, 0.49,
-                 "fraction of the width and height by which each side of a detection is moved "
-                 "inwards, since the border of a box shows background",
-                 "METHOD.md 5.3"});
-    visit.Field(
-        "box_foot", self.box_foot,
-        {"1", 0.0, 1.0,
-         "lower fraction of a detection's height in which landmarks are as likely to be static as "
-         "part of the body: the ground is visible there between legs or wheels; 0 as in the paper",
-         "chosen from 0 ... 0.35 on the rooms: half of the background landmarks wrongly "
-         "assigned to bodies were in this part of their boxes"});
     visit.Field("kappa", self.kappa,
                 {"half sizes", 0.1, 100.0,
                  "standard deviation of a body's points; 2 to 2.5 reaches the surface of a box",
@@ -84,22 +68,14 @@ struct UnaryOptions {
                  "METHOD.md 5.4, not published"});
     visit.Field(
         "past_frames", self.past_frames,
-        {"frames", 0, 200,
-         "number of past frames that the motion term compares landmark positions over, fewer for "
-         "newer landmarks; more detects slower motion; 0: all of the temporal track",
-         "paper, section 3.2: 5; at 30 Hz a slow body hardly moves in five frames"});
+        {"frames", 1, 200,
+         "frames between the observations that the motion term compares; more detects slower "
+         "motion and says nothing of newer landmarks",
+         "paper, section 3.2"});
     visit.Field(
         "motion_cap", self.motion_cap,
         {"1", 0.1, 1e6, "maximum squared whitened error; larger gives more weight to single errors",
          "METHOD.md 5.5"});
-    visit.Field("neutral_motion", self.neutral_motion,
-                {"nats", 0.0, 100.0,
-                 "motion term of a class without a known motion: mean of chi^2 / 2 with 3 degrees "
-                 "of freedom",
-                 "METHOD.md 5.5"});
-    visit.Field(
-        "outlier_motion", self.outlier_motion,
-        {"nats", 0.0, 100.0, "motion term of the outlier class: half of 9", "METHOD.md 5.5"});
     visit.Field(
         "max_energy", self.max_energy,
         {"nats", 1.0, 1000.0, "maximum energy of one term, so that no term overrules the others",

@@ -21,14 +21,14 @@ struct CrfNode {
   Eigen::Vector3d z_px = Eigen::Vector3d::Zero();         // z_t^i
   Eigen::Vector3d p_in_camera = Eigen::Vector3d::Zero();  // Z_t^i, triangulated from z_t^i alone
   Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Identity();  // of p_in_camera
-  // Its observation in an earlier frame, z_{t'}^i.
+  // Its observation in the past frame t', z_{t'}^i.
   struct Past {
-    int frame = 0;  // index of the earlier frame, as in CrfLabel::past_from_now
     Eigen::Vector3d z_px = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance_px2 = Eigen::Matrix3d::Identity();
   };
   std::optional<Past> past;  // empty: its motion is unknown
-  // Position of the landmark in the current camera frame, for the motion and pairwise terms.
+  // Position of the landmark in the current camera frame, for the motion and pairwise terms. Where
+  // the body's pose places a landmark is taken as exact.
   struct Place {
     Eigen::Vector3d p_in_camera = Eigen::Vector3d::Zero();
     Eigen::Matrix3d covariance_m2 = Eigen::Matrix3d::Zero();
@@ -53,10 +53,9 @@ struct CrfLabel {
     Eigen::Vector3d half_size_m = Eigen::Vector3d::Ones();
   };
   std::optional<Extent> extent;
-  // For each earlier frame, maps points p of this body from the current camera frame to the camera
-  // frame of that time, past_from_now[frame] * p: T_{t'}^{cq} (P_t^q)^-1 P_t^c of the paper. Empty
-  // if the body had no pose then.
-  std::vector<std::optional<RigidTransform>> past_from_now;
+  // Maps points of this body from the current camera frame to that of the past frame t':
+  // T_{t'}^{cq} (P_t^q)^-1 P_t^c of the paper. Empty if the body had no pose then.
+  std::optional<RigidTransform> past_from_now;
 };
 
 struct CrfScene {
@@ -128,7 +127,7 @@ struct NormalizedGaussianKernel {
   static double Scale(double degree);
 };
 
-// Policy: exp(-d^2) with d in m, as printed in the paper (equation of psi_p): not normalised, and
+// Policy: exp(-d^2) with d in m, as printed in the paper (Eq. 9): not normalised, and
 // independent of the options.
 struct RawGaussianKernel {
   static double BandwidthM(const PairwiseOptions& options);
@@ -145,8 +144,8 @@ concept PairwisePolicy = std::same_as<Policy, NoPairwise> ||
   { Policy::Scale(degree) } -> std::same_as<double>;
 };
 
-// Mean-field inference for E(q) = sum_i U_i(q_i) + alpha sum_{i<j} k_ij [q_i != q_j] (section 3.2
-// of the paper): Q_i(l) ~ exp(-U_i(l) + alpha sum_j k_ij Q_j(l)), for all nodes at once, starting
+// Mean-field inference for E(q) = sum_i U_i(q_i) + alpha sum_{i<j} k_ij [q_i != q_j] (Eq. 4 of the
+// paper): Q_i(l) ~ exp(-U_i(l) + alpha sum_j k_ij Q_j(l)), for all nodes at once, starting
 // from softmax(-U). `energies` is N x M in nats, `points` is 3 x N in m; throws Error if the two N
 // differ, a value is not finite, or there are nodes but no labels. k_ij = 0 beyond 6 bandwidths,
 // where it is below the rounding of float. With the default options, Q is within 1e-5 of the result

@@ -111,14 +111,14 @@ std::vector<std::vector<int>> DepthModes(const std::vector<double>& depths_m, do
   std::transform(depths_m.begin(), depths_m.end(), log_depths.begin(), LogDepth);
   const double count = CountIn(RangeOf(log_depths), log_depths);
   const double needed =
-      std::max(static_cast<double>(options.mode_min_points), options.mode_min_share * count);
+      std::max(static_cast<double>(options.kModeMinPoints), options.kModeMinShare * count);
   if (count < needed) return {};
-  const double width = std::min(std::max(options.mode_width * angular_size, options.mode_min_width),
-                                options.mode_max_width);
+  const double width = std::min(std::max(options.kModeWidth * angular_size, options.kModeMinWidth),
+                                options.kModeMaxWidth);
   std::vector<std::vector<int>> modes;
   const DepthDensity density = MakeDensity(log_depths, width);
   for (std::size_t bin = 1; bin + 1 < density.values.size(); ++bin) {
-    const auto mode = ModeAt(density, bin, options.mode_valley);
+    const auto mode = ModeAt(density, bin, options.kModeValley);
     if (mode && CountIn(*mode, log_depths) >= needed) {
       modes.push_back(IndicesIn(*mode, log_depths));
     }
@@ -167,7 +167,7 @@ Eigen::Matrix3d InlierCovariance(const Eigen::Matrix3Xd& offsets, const ExtentOp
   // The minimum half size prevents points of a flat body, whose thickness is noise, from being
   // rejected.
   const Eigen::Array3d reach =
-      (options.inlier_mads * RobustDeviation(offsets)).array().max(options.min_half_size_m);
+      (options.kInlierMads * RobustDeviation(offsets)).array().max(options.min_half_size_m);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   double count = 0.0;
@@ -223,7 +223,7 @@ RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points, const ExtentOptions
   const Eigen::Vector3d median = MedianPoint(points);
   const Eigen::Matrix3Xd offsets = points.colwise() - median;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(InlierCovariance(offsets, options));
-  if (!AreDistinct(solver.eigenvalues().reverse(), options.min_axis_ratio)) {
+  if (!AreDistinct(solver.eigenvalues().reverse(), options.kMinAxisRatio)) {
     return RigidTransform(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), median);
   }
   Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();

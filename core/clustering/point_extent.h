@@ -11,17 +11,36 @@
 namespace cvo {
 
 struct ExtentOptions {
+  // Points farther from the median along an axis are not used to estimate the axes; the standard
+  // deviation is 1.48 median absolute deviations (METHOD.md 6.1).
+  static constexpr double kInlierMads = 3.0;
+  // Minimum ratio of successive variances for a body to have its own axes (sqrt(2 / n) is a
+  // variance's relative error: 0.2 of 50 points).
+  static constexpr double kMinAxisRatio = 1.5;
+  // Minimum points in the foreground of a new box (the fewest whose 30 and 70 percentiles lie
+  // within them).
+  static constexpr int kModeMinPoints = 5;
+  // Minimum fraction of the points in a box that form its foreground: fewer are outliers or a
+  // small object in front (simulated: passes over 2 of 30, finds bodies that have 40 %).
+  static constexpr double kModeMinShare = 0.2;
+  // Minimum image area covered by the foreground of a new box, as a fraction of the area covered
+  // by the most widely spread depth range; less is taken for part of something in front; 0:
+  // always the nearest range (chosen from 0, 0.3 and 0.5 on development rooms).
+  static constexpr double kModeMinFill = 0.5;
+  // Depths are split where their density falls below this fraction of the foreground peak; larger
+  // splits bodies, smaller merges them with the background (simulated: cars at 8 to 40 m and
+  // furniture before walls, 12 to 60 points).
+  static constexpr double kModeValley = 0.2;
+  // Width of the kernel that smooths the logarithms of depths: bodies are about as deep as they
+  // are wide (simulated, as mode_valley).
+  static constexpr double kModeWidth = 0.35;
+  // Minimum width of the kernel that smooths depths (two deviations of a depth at 30 m: 0.3 px of
+  // 13 px of disparity).
+  static constexpr double kModeMinWidth = 0.05;
+  // Maximum width of the kernel that smooths depths (boxes that fill the image).
+  static constexpr double kModeMaxWidth = 0.3;
   double quantile = 0.3;
   double min_half_size_m = 0.05;
-  double inlier_mads = 3.0;
-  double min_axis_ratio = 1.5;
-  int mode_min_points = 5;
-  double mode_min_share = 0.2;
-  double mode_min_fill = 0.5;
-  double mode_valley = 0.2;
-  double mode_width = 0.35;
-  double mode_min_width = 0.05;
-  double mode_max_width = 0.3;
   double part_share = 0.8;
 
   template <typename Self, typename Visitor>
@@ -33,45 +52,6 @@ struct ExtentOptions {
                  "paper, section 3.2"});
     visit.Field("min_half_size_m", self.min_half_size_m,
                 {"m", 1e-4, 10.0, "minimum half size along an axis", "METHOD.md 6.2: indoors"});
-    visit.Field("inlier_mads", self.inlier_mads,
-                {"standard deviations", 0.5, 100.0,
-                 "points farther from the median along an axis are not used to estimate the axes; "
-                 "the standard deviation is 1.48 median absolute deviations",
-                 "METHOD.md 6.1"});
-    visit.Field(
-        "min_axis_ratio", self.min_axis_ratio,
-        {"1", 1.0, 100.0, "minimum ratio of successive variances for a body to have its own axes",
-         "sqrt(2 / n) is a variance's relative error: 0.2 of 50 points"});
-    visit.Field("mode_min_points", self.mode_min_points,
-                {"1", 1, 1000, "minimum points in the foreground of a new box",
-                 "the fewest whose 30 and 70 percentiles lie within them"});
-    visit.Field("mode_min_share", self.mode_min_share,
-                {"1", 0.0, 1.0,
-                 "minimum fraction of the points in a box that form its foreground: fewer are "
-                 "outliers or a small object in front",
-                 "simulated: passes over 2 of 30, finds bodies that have 40 %"});
-    visit.Field("mode_min_fill", self.mode_min_fill,
-                {"1", 0.0, 1.0,
-                 "minimum image area covered by the foreground of a new box, as a fraction of the "
-                 "area covered by the most widely spread depth range; less is taken for part of "
-                 "something in front; 0: always the nearest range",
-                 "chosen from 0, 0.3 and 0.5 on development rooms"});
-    visit.Field("mode_valley", self.mode_valley,
-                {"1", 0.0, 1.0,
-                 "depths are split where their density falls below this fraction of the foreground "
-                 "peak; larger splits bodies, smaller merges them with the background",
-                 "simulated: cars at 8 to 40 m and furniture before walls, 12 to 60 points"});
-    visit.Field("mode_width", self.mode_width,
-                {"angular sizes", 0.01, 10.0,
-                 "width of the kernel that smooths the logarithms of "
-                 "depths: bodies are about as deep as they are wide",
-                 "simulated, as mode_valley"});
-    visit.Field("mode_min_width", self.mode_min_width,
-                {"log depth", 0.005, 1.0, "minimum width of the kernel that smooths depths",
-                 "two deviations of a depth at 30 m: 0.3 px of 13 px of disparity"});
-    visit.Field("mode_max_width", self.mode_max_width,
-                {"log depth", 0.005, 1.0, "maximum width of the kernel that smooths depths",
-                 "boxes that fill the image"});
     visit.Field("part_share", self.part_share,
                 {"1", 0.0, 2.0,
                  "minimum share of a box inside that of a cluster of the same class, at its depth, "

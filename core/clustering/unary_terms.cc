@@ -2,16 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/clustering/unary_terms.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
 
 namespace cvo {
 
 namespace {
+
+// Motion term of a class without a known motion: mean of chi^2 / 2 with 3 degrees of freedom
+// (METHOD.md 5.5).
+constexpr double kNeutralMotion = 1.5;
+// Motion term of the outlier class: half of 9 (METHOD.md 5.5).
+constexpr double kOutlierMotion = 4.5;
 
 double EnergyWithoutExtent(LabelKind kind, const UnaryOptions& options) {
   return kind == LabelKind::kOutlier ? options.outlier_energy : options.static_energy;
@@ -70,35 +74,11 @@ namespace {
 
 using Boxes = std::vector<std::optional<ImageBox>>;
 
-Boxes DetectedBoxes(const CrfScene& scene, double shrink) {
+Boxes BoxesOf(const CrfScene& scene, std::optional<ImageBox> CrfLabel::*box) {
   Boxes boxes;
   boxes.reserve(scene.labels.size());
-  for (const CrfLabel& label : scene.labels) {
-    boxes.push_back(label.box);
-    if (label.box) boxes.back() = label.box->Shrunk(shrink);
-  }
+  for (const CrfLabel& label : scene.labels) boxes.push_back(label.*box);
   return boxes;
-}
-
-// The boxes without their lower part, where the ground is visible.
-Boxes WithoutBoxFoot(const Boxes& boxes, double foot) {
-  Boxes bodies = boxes;
-  for (auto& box : bodies) {
-    if (box) box->bottom_px -= foot * box->Height();
-  }
-  return bodies;
-}
-
-Boxes PredictedBoxes(const CrfScene& scene) {
-  Boxes boxes;
-  boxes.reserve(scene.labels.size());
-  for (const CrfLabel& label : scene.labels) boxes.push_back(label.predicted_box);
-  return boxes;
-}
-
-bool AnyContains(const Boxes& boxes, const Eigen::Vector3d& z_px) {
-  return std::any_of(boxes.begin(), boxes.end(),
-                     [&](const auto& box) { return box && box->Contains(z_px[0], z_px[1]); });
 }
 
 // The set C of one landmark.
@@ -143,15 +123,16 @@ class Candidates {
 // `predicted` holds the boxes to be used where there is no detection.
 void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, const Boxes& predicted,
                  EnergyMatrix& energies) {
-  const Boxes detected = DetectedBoxes(scene, options.box_shrink);
-  const Boxes bodies = WithoutBoxFoot(detected, options.box_foot);
+  const Boxes detected = BoxesOf(scene, &CrfLabel::box);
   Candidates candidates(scene.labels.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Eigen::Vector3d& z_px = scene.nodes[i].z_px;
     candidates.Clear();
     candidates.AddContaining(detected, z_px);
-    if (candidates.Empty()) candidates.AddContaining(predicted, z_px);
-    if (!AnyContains(bodies, z_px)) candidates.AddStatic(scene);
+    if (candidates.Empty()) {
+      candidates.AddContaining(predicted, z_px);
+      candidates.AddStatic(scene);
+    }
     candidates.Write(options.eta, static_cast<Eigen::Index>(i), energies);
   }
 }
@@ -160,7 +141,7 @@ void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, const Boxes
 
 void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                          EnergyMatrix& energies) {
-  BoxEnergies(scene, options, PredictedBoxes(scene), energies);
+  BoxEnergies(scene, options, BoxesOf(scene, &CrfLabel::predicted_box), energies);
 }
 
 void DetectedBox2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
@@ -170,7 +151,7 @@ void DetectedBox2dTerm::Energies(const CrfScene& scene, const UnaryOptions& opti
 
 void Box2dTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& options,
                                 EnergyMatrix& energies) {
-  const Boxes detected = DetectedBoxes(scene, 0.0);
+  const Boxes detected = BoxesOf(scene, &CrfLabel::box);
   Candidates candidates(scene.labels.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     candidates.Clear();
@@ -185,68 +166,39 @@ void Box2dTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& optio
 
 namespace {
 
-// The label's transform to the past camera frame; null if its motion since then is unknown.
-const RigidTransform* PastFromNow(const CrfLabel& label, int frame) {
-  if (label.kind == LabelKind::kNewBox || label.kind == LabelKind::kOutlier) return nullptr;
-  if (frame < 0 || static_cast<std::size_t>(frame) >= label.past_from_now.size()) return nullptr;
-  const auto& pose = label.past_from_now[static_cast<std::size_t>(frame)];
-  return pose ? &*pose : nullptr;
+// Whether the motion of the label since the past frame is known.
+bool HasMotion(const CrfLabel& label) {
+  const bool can_move = label.kind == LabelKind::kStatic || label.kind == LabelKind::kCluster;
+  return can_move && label.past_from_now.has_value();
 }
 
-bool AnyLabelHasPose(const CrfScene& scene, int frame) {
-  return std::any_of(scene.labels.begin(), scene.labels.end(), [frame](const CrfLabel& label) {
-    return PastFromNow(label, frame) != nullptr;
-  });
-}
-
-// Writes the rows of nodes with a past frame in which some label has a pose; all others are zero.
-template <typename LabelEnergy>
-void EnergiesOfNodesWithPast(const CrfScene& scene, const LabelEnergy& label_energy,
-                             EnergyMatrix& energies) {
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const CrfNode& node = scene.nodes[i];
-    auto row = energies.row(static_cast<Eigen::Index>(i));
-    if (!node.past || !AnyLabelHasPose(scene, node.past->frame)) {
-      row.setZero();
-      continue;
-    }
-    for (std::size_t l = 0; l < scene.labels.size(); ++l) {
-      row[static_cast<Eigen::Index>(l)] = label_energy(node, scene.labels[l]);
-    }
-  }
+double MotionEnergy(const CrfScene& scene, const UnaryOptions& options, const CrfNode& node,
+                    const CrfLabel& label) {
+  if (label.kind == LabelKind::kOutlier) return kOutlierMotion;
+  if (!HasMotion(label)) return kNeutralMotion;
+  const CrfNode::Place place = node.MovingPlace();
+  const Eigen::Vector3d p_in_past = *label.past_from_now * place.p_in_camera;
+  const auto z_px = scene.camera.Project(p_in_past);
+  if (!z_px) return 0.5 * options.motion_cap;
+  const Eigen::Matrix3d J =
+      scene.camera.ProjectionJacobian(p_in_past) * label.past_from_now->RotationMatrix();
+  const Eigen::Matrix3d S = node.past->covariance_px2 + J * place.covariance_m2 * J.transpose();
+  return 0.5 * std::min(MahalanobisSquared(S, node.past->z_px - *z_px), options.motion_cap);
 }
 
 }  // namespace
 
 void MotionTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                           EnergyMatrix& energies) {
-  const auto label_energy = [&](const CrfNode& node, const CrfLabel& label) {
-    if (label.kind == LabelKind::kOutlier) return options.outlier_motion;
-    const RigidTransform* past_from_now = PastFromNow(label, node.past->frame);
-    if (past_from_now == nullptr) return options.neutral_motion;
-    const CrfNode::Place place = node.MovingPlace();
-    const Eigen::Vector3d p_in_past = *past_from_now * place.p_in_camera;
-    const auto z_px = scene.camera.Project(p_in_past);
-    if (!z_px) return 0.5 * options.motion_cap;
-    const Eigen::Matrix3d J =
-        scene.camera.ProjectionJacobian(p_in_past) * past_from_now->RotationMatrix();
-    const Eigen::Matrix3d S = node.past->covariance_px2 + J * place.covariance_m2 * J.transpose();
-    return 0.5 * std::min(MahalanobisSquared(S, node.past->z_px - *z_px), options.motion_cap);
-  };
-  EnergiesOfNodesWithPast(scene, label_energy, energies);
-}
-
-void MotionTermLiteral::Energies(const CrfScene& scene, const UnaryOptions&,
-                                 EnergyMatrix& energies) {
-  const auto label_energy = [&](const CrfNode& node, const CrfLabel& label) {
-    const RigidTransform* past_from_now = PastFromNow(label, node.past->frame);
-    if (past_from_now == nullptr) return 0.0;
-    const auto z_px = scene.camera.Project(*past_from_now * node.MovingPlace().p_in_camera);
-    if (!z_px) return std::numeric_limits<double>::infinity();
-    return MahalanobisSquared(node.past->covariance_px2, node.past->z_px - *z_px) +
-           0.5 * std::log(node.past->covariance_px2.determinant());
-  };
-  EnergiesOfNodesWithPast(scene, label_energy, energies);
+  energies.setZero();
+  if (std::none_of(scene.labels.begin(), scene.labels.end(), HasMotion)) return;
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+    if (!scene.nodes[i].past) continue;
+    for (std::size_t l = 0; l < scene.labels.size(); ++l) {
+      energies(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(l)) =
+          MotionEnergy(scene, options, scene.nodes[i], scene.labels[l]);
+    }
+  }
 }
 
 void NormalizeEnergies(double max_energy, EnergyMatrix& energies) {

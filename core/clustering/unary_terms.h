@@ -48,7 +48,7 @@ EnergyMatrix TermEnergies(const CrfScene& scene, const UnaryOptions& options) {
   return energies;
 }
 
-// psi_u of section 3.2 of the paper as an energy: the sum of -log p_2D, -log p_3D and -log p_mot.
+// psi_u (Eq. 5 of the paper) as an energy: the sum of -log p_2D, -log p_3D and -log p_mot.
 template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion>
 UnaryEnergies ComputeUnaries(const CrfScene& scene, const UnaryOptions& options) {
   UnaryEnergies unaries;
@@ -66,7 +66,7 @@ struct SilentTerm {
   }
 };
 
-// p_3D as in METHOD.md 5.4: -log p = d^T (Sigma_Z + kappa^2 R diag(l^2) R^T)^-1 d / 2, where d
+// p_3D (Eq. 7; METHOD.md 5.4): -log p = d^T (Sigma_Z + kappa^2 R diag(l^2) R^T)^-1 d / 2, where d
 // points from the body's centre to the landmark, in the camera frame; the determinant is left out.
 // For a body without a detection the energy is lower by undetected_reach^2 / 2, but not below 0.
 // The static scene and any body of unknown extent have static_energy, the outlier class
@@ -84,11 +84,10 @@ struct AffinityTermLiteral {
 // No term: labels do not depend on the distance from the centres of bodies.
 struct NoAffinityTerm : SilentTerm {};
 
-// p_2D of section 3.2 of the paper: eta / |C| for the labels in C, (1 - eta) / (M - |C|) for the
-// others. C consists of the labels whose detection, shrunk by box_shrink, contains the landmark,
-// and of the static scene if the landmark is in the lowest box_foot of all these detections. If no
-// detection contains it, C consists of the static scene and the labels whose predicted box, not
-// shrunk, contains it: a missed detection is no evidence for or against them (METHOD.md 5.3).
+// p_2D (Eq. 6): eta / |C| for the labels in C, (1 - eta) / (M - |C|) for the
+// others. C consists of the labels whose detection contains the landmark. If none does, C consists
+// of the static scene and the labels whose predicted box contains it: a missed detection is no
+// evidence for or against them (METHOD.md 5.3).
 struct Box2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
@@ -99,27 +98,18 @@ struct DetectedBox2dTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 
-// As printed: detections are not shrunk, predicted boxes are not used, and all labels are equally
-// likely if C is empty.
+// As printed: predicted boxes are not used, and all labels are equally likely if C is empty.
 struct Box2dTermLiteral {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 
-// p_mot as in METHOD.md 5.5: -log p = min(e^T S^-1 e, motion_cap) / 2 with
+// p_mot (Eq. 8; METHOD.md 5.5): -log p = min(e^T S^-1 e, motion_cap) / 2 with
 // S = Sigma_z + J R Sigma_Z R^T J^T, where e is the landmark's past observation minus the one
 // predicted from the motion of the body. A point behind the past camera costs motion_cap / 2. New
 // boxes and bodies without a pose in the current or past frame cost neutral_motion, the outlier
 // class outlier_motion. All labels cost the same if the landmark has no past or no label has a pose
 // in the past frame.
 struct MotionTerm {
-  static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
-};
-
-// As printed: exp(-e^T Sigma_z^-1 e) / sqrt|Sigma_z|, and the factor 1 for labels without a pose in
-// the past frame, new boxes and outliers. The paper's factor for the current frame is left out, as
-// e = 0 there for every label. A label that puts the point behind the past camera, where the
-// formula has no meaning, is impossible.
-struct MotionTermLiteral {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
 

@@ -9,6 +9,11 @@
 
 namespace cvo {
 
+// Number of states below which a pose is estimated by RANSAC instead of from the prediction:
+// without a velocity, the first matches may all be wrong (two states give a velocity, the third
+// checks it).
+constexpr int kSettledStates = 3;
+
 void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from_object,
                    const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
                    std::span<StereoFeature> features) {
@@ -53,8 +58,7 @@ void TrackClusters(const ClusterSearch& search, const ClusterMap& map,
     by_cluster[from.cluster].push_back({from.landmark, match.feature, match.hamming});
   }
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    const bool is_settled =
-        static_cast<int>(map.live[q].states.size()) >= search.options.clusters.settled_states;
+    const bool is_settled = static_cast<int>(map.live[q].states.size()) >= kSettledStates;
     const auto solution = SolvePose(search, map.live[q], tracks[q].world_from_object, by_cluster[q],
                                     search.options.clusters.min_tracked, is_settled, rng);
     if (solution) AcceptPose(search, by_cluster[q], *solution, taken, tracks[q]);
@@ -82,13 +86,7 @@ std::vector<BoxMember> MembersOf(const ClusterSearch& search, const Cluster& clu
 void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
                            BoxProbabilities& probabilities) {
   for (std::size_t m = 0; m < view.shown.detections.size(); ++m) {
-    if (view.shown.detections[m].category != cluster.category) probabilities.members[m] = 0;
-  }
-}
-
-void ReleaseUnseen(std::vector<ClusterTrack>& tracks) {
-  for (ClusterTrack& track : tracks) {
-    if (!track.is_tracked) track.detection = -1;
+    if (view.shown.detections[m].category != cluster.category) probabilities.probability[m] = 0.0;
   }
 }
 
@@ -153,8 +151,7 @@ std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluste
     indices.push_back(i);
   }
   std::vector<Match> matches =
-      MatchDescriptors(descriptors, features, search.options.association.rematch_hamming,
-                       search.options.association.rematch_ratio);
+      MatchDescriptors(descriptors, features, kRematchHamming, kRematchRatio);
   for (Match& match : matches) {
     match.landmark = landmarks[match.landmark];
     match.feature = indices[match.feature];
@@ -181,105 +178,6 @@ void RematchAssociated(const ClusterSearch& search, const Cluster& cluster, Rng&
   }
 }
 
-// The body that the detection shows according to GivenKnowledge; invalid if unknown.
-BodyId GivenBody(const FrameView& view, int detection) {
-  const std::span<const BodyId> given = view.shown.detection_body;
-  return given.empty() ? BodyId() : given[detection];
-}
-
-// Whether the detection may show the cluster, judged by its class and its given body.
-bool MayShow(const FrameView& view, int detection, const Cluster& cluster) {
-  const BodyId given = GivenBody(view, detection);
-  return view.shown.detections[detection].category == cluster.category &&
-         (!given.valid() || given == cluster.given_body);
-}
-
-// Looks for the cluster in the detection's box. If it is found, updates the track and returns true.
-bool Reacquire(const ClusterSearch& search, const Cluster& cluster, int detection, Rng& rng,
-               TakenFeatures& taken, ClusterTrack& track) {
-  const Detection& seen = search.shown.detections[detection];
-  if (!MayShow(search, detection, cluster)) return false;
-  const std::vector<Match> matches = MatchInBox(search, cluster, {}, seen.box, taken);
-  const auto solution = SolvePose(search, cluster, track.world_from_object, matches,
-                                  search.options.association.min_rematch, false, rng);
-  if (!solution || solution->inliers <= static_cast<int>(track.matches.size())) return false;
-  AcceptPose(search, matches, *solution, taken, track);
-  track.detection = detection;
-  return true;
-}
-
-// Moves an archived cluster back to the live ones, which stay sorted by id, and inserts its track.
-void Revive(std::size_t archived, const ClusterTrack& track, ClusterMap& map,
-            std::vector<ClusterTrack>& tracks) {
-  Cluster cluster = std::move(map.archived[archived]);
-  map.archived.erase(map.archived.begin() + static_cast<std::ptrdiff_t>(archived));
-  const auto place =
-      std::lower_bound(map.live.begin(), map.live.end(), cluster.id,
-                       [](const Cluster& live, ClusterId id) { return live.id < id; });
-  tracks.insert(tracks.begin() + (place - map.live.begin()), track);
-  map.live.insert(place, std::move(cluster));
-}
-
-// A cluster that was not found. Live ones are tried first, then archived ones, latest first.
-struct Missing {
-  bool is_live = true;
-  std::size_t index = 0;  // into map.live or map.archived
-};
-
-std::vector<Missing> FindMissing(const ClusterMap& map, const std::vector<ClusterTrack>& tracks) {
-  std::vector<Missing> missing;
-  for (std::size_t q = 0; q < tracks.size(); ++q) {
-    if (tracks[q].detection < 0 && !tracks[q].is_tracked) missing.push_back({true, q});
-  }
-  for (std::size_t k = map.archived.size(); k-- > 0;) missing.push_back({false, k});
-  return missing;
-}
-
-// Matches detections that belong to no cluster with the landmarks of missing clusters.
-class Reacquisition {
- public:
-  Reacquisition(const ClusterSearch& search, const std::vector<PredictedCluster>& archived,
-                ClusterMap& map, TakenFeatures& taken, std::vector<ClusterTrack>& tracks)
-      : search_(search), archived_(archived), map_(map), taken_(taken), tracks_(tracks) {}
-
-  void Try(int detection, Rng& rng) {
-    for (const Missing& missing : FindMissing(map_, tracks_)) {
-      ClusterTrack track = TrackOf(missing);
-      if (!Reacquire(search_, ClusterOf(missing), detection, rng, taken_, track)) continue;
-      Accept(missing, track);
-      return;
-    }
-  }
-
- private:
-  const Cluster& ClusterOf(const Missing& missing) const {
-    return missing.is_live ? map_.live[missing.index] : map_.archived[missing.index];
-  }
-
-  ClusterTrack TrackOf(const Missing& missing) const {
-    if (missing.is_live) return tracks_[missing.index];
-    ClusterTrack track;
-    track.predicted = archived_[missing.index];
-    track.world_from_object = track.predicted.world_from_object;
-    return track;
-  }
-
-  void Accept(const Missing& missing, const ClusterTrack& track) {
-    if (missing.is_live) {
-      tracks_[missing.index] = track;
-      return;
-    }
-    archived_.erase(archived_.begin() + static_cast<std::ptrdiff_t>(missing.index));
-    Revive(missing.index, track, map_, tracks_);
-  }
-
-  const ClusterSearch& search_;
-  std::vector<PredictedCluster> archived_;
-  ClusterMap& map_;
-  TakenFeatures& taken_;
-  std::vector<ClusterTrack>& tracks_;
-};
-
 }  // namespace
 
 void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
@@ -290,16 +188,15 @@ void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, R
   }
 }
 
-void RematchInBox::Reacquire(const ClusterSearch& search,
-                             const std::vector<PredictedCluster>& archived, ClusterMap& map,
-                             Rng& rng, TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
-  std::vector<char> is_used(search.shown.detections.size(), 0);
-  for (const ClusterTrack& track : tracks) {
-    if (track.detection >= 0) is_used[track.detection] = 1;
+void ReleaseUnseen::Conclude(std::vector<ClusterTrack>& tracks) {
+  for (ClusterTrack& track : tracks) {
+    if (!track.is_tracked) track.detection = -1;
   }
-  Reacquisition reacquisition(search, archived, map, taken, tracks);
-  for (int m = 0; m < static_cast<int>(is_used.size()); ++m) {
-    if (!is_used[m]) reacquisition.Try(m, rng);
+}
+
+void RematchAndRelaunch::Conclude(std::vector<ClusterTrack>& tracks) {
+  for (ClusterTrack& track : tracks) {
+    if (track.detection >= 0) track.is_tracked = true;
   }
 }
 

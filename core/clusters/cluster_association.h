@@ -21,38 +21,40 @@ void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from
                    const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
                    std::span<StereoFeature> features);
 
-// How clusters are matched by descriptors alone, without a prediction (paper, end of section 3.1).
-// Rematch searches the boxes that were assigned to clusters. Reacquire searches the remaining boxes
-// for clusters that were not found, archived ones included (`archived` holds their predictions).
+// How clusters are matched by descriptors alone, without a prediction, in the boxes that were
+// assigned to them (paper, end of section 3.1), and what becomes of the boxes of clusters that were
+// not found.
 template <typename Policy>
-concept BoxRematchPolicy = requires(const ClusterSearch& search,
-                                    const std::vector<PredictedCluster>& archived, ClusterMap& map,
-                                    Rng& rng, TakenFeatures& taken,
-                                    std::vector<ClusterTrack>& tracks) {
+concept BoxRematchPolicy = requires(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
+                                    TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
   Policy::Rematch(search, map, rng, taken, tracks);
-  Policy::Reacquire(search, archived, map, rng, taken, tracks);
+  Policy::Conclude(tracks);
+};
+
+// Such a box may show another body: it is released.
+struct ReleaseUnseen {
+  static void Conclude(std::vector<ClusterTrack>& tracks);
 };
 
 // Policy: compares the descriptors in the box with those of the cluster's unmatched landmarks and
 // keeps the matches that agree on a pose.
-struct RematchInBox {
+struct RematchInBox : ReleaseUnseen {
   static void Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
                       TakenFeatures& taken, std::vector<ClusterTrack>& tracks);
-  static void Reacquire(const ClusterSearch& search, const std::vector<PredictedCluster>& archived,
-                        ClusterMap& map, Rng& rng, TakenFeatures& taken,
-                        std::vector<ClusterTrack>& tracks);
 };
-// Policy: searches only the boxes that were assigned to clusters, as in the paper.
-struct RematchInOwnBox : RematchInBox {
-  static void Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&, ClusterMap&,
-                        Rng&, TakenFeatures&, std::vector<ClusterTrack>&) {}
+// Policy: the same, but a cluster that was not found in its box keeps it and gets new landmarks
+// there, at its predicted pose (the relaunch of the paper's section 4.2).
+struct RematchAndRelaunch {
+  static void Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
+                      TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
+    RematchInBox::Rematch(search, map, rng, taken, tracks);
+  }
+  static void Conclude(std::vector<ClusterTrack>& tracks);
 };
 // Policy: no matching without a prediction.
-struct NoBoxRematch {
+struct NoBoxRematch : ReleaseUnseen {
   static void Rematch(const ClusterSearch&, const ClusterMap&, Rng&, TakenFeatures&,
                       std::vector<ClusterTrack>&) {}
-  static void Reacquire(const ClusterSearch&, const std::vector<PredictedCluster>&, ClusterMap&,
-                        Rng&, TakenFeatures&, std::vector<ClusterTrack>&) {}
 };
 
 namespace internal {
@@ -98,8 +100,6 @@ void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
 // Removes boxes of other classes from the cluster's candidates.
 void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
                            BoxProbabilities& probabilities);
-// Releases the boxes of clusters that are only predicted: such a box may show another body.
-void ReleaseUnseen(std::vector<ClusterTrack>& tracks);
 std::vector<ImageBox> BoxesOf(std::span<const Detection> detections);
 void FindBoxOfTrack(const ClusterSearch& search, const Cluster& cluster, ClusterTrack& track);
 
@@ -124,16 +124,22 @@ struct AcceptAnyClass {
   static void Apply(const FrameView&, const Cluster&, BoxProbabilities&) {}
 };
 
+// How boxes are assigned to clusters: weights of landmarks, costs, and classes.
+template <typename Policy>
+concept BoxPolicy = BoxWeightsPolicy<Policy> && BoxCostPolicy<Policy> && ClassGatePolicy<Policy>;
+
+// Policy: ours (METHOD.md 4.5).
+struct BoundedBoxes : BoundedBoxWeights, SharedBoxCost, RefuseOtherClasses {};
+// Policy: the paper's.
+struct PrintedBoxWeights : BoxWeightsLiteral, UnsharedBoxCost, AcceptAnyClass {};
+
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
-// then detections with clusters. Archived clusters that are found again move to map.live. Returns
-// one track per cluster in map.live.
-template <LandmarkAssociationPolicy LandmarkAssociation, BoxWeightsPolicy BoxWeights,
-          BoxCostPolicy BoxCost, ClassGatePolicy ClassGate, BoxRematchPolicy BoxRematch>
+// then detections with clusters. Returns one track per cluster in map.live.
+template <LandmarkAssociationPolicy LandmarkAssociation, BoxPolicy Boxes,
+          BoxRematchPolicy BoxRematch>
 std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,
-                                            const ClusterPredictor& predict, ClusterMap& map,
+                                            const ClusterPredictor& predict, const ClusterMap& map,
                                             Rng& rng, TakenFeatures& taken) {
-  std::vector<PredictedCluster> archived;
-  for (const Cluster& cluster : map.archived) archived.push_back(predict(cluster));
   std::vector<ClusterTrack> tracks(map.live.size());
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     tracks[q].predicted = predict(map.live[q]);
@@ -148,16 +154,15 @@ std::vector<ClusterTrack> AssociateClusters(const ClusterSearch& search,
   std::vector<BoxProbabilities> probabilities;
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     probabilities.push_back(
-        BoxWeights::Compute(internal::MembersOf(search, map.live[q], tracks[q]), boxes));
-    ClassGate::Apply(search, map.live[q], probabilities.back());
+        Boxes::Compute(internal::MembersOf(search, map.live[q], tracks[q]), boxes));
+    Boxes::Apply(search, map.live[q], probabilities.back());
   }
   const std::vector<int> chosen = AssociateBoxes(probabilities, static_cast<int>(boxes.size()),
-                                                 search.options.association, &BoxCost::Cost);
+                                                 search.options.association, &Boxes::Cost);
   for (std::size_t q = 0; q < tracks.size(); ++q) tracks[q].detection = chosen[q];
   internal::AssociateGivenDetections(search, map, tracks);
   BoxRematch::Rematch(search, map, rng, taken, tracks);
-  internal::ReleaseUnseen(tracks);
-  BoxRematch::Reacquire(search, archived, map, rng, taken, tracks);
+  BoxRematch::Conclude(tracks);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     internal::FindBoxOfTrack(search, map.live[q], tracks[q]);
   }

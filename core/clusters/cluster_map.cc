@@ -57,7 +57,7 @@ const Cluster* FindCluster(const ClusterMap& map, ClusterId id) {
 void AbsorbObservations(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
                         const ClusterOptions& options, Cluster& cluster) {
   const ClusterState* state = FindState(cluster, leaving.id);
-  if (!state) return;
+  if (options.max_past_observations == 0.0 || !state) return;
   for (Landmark& landmark : cluster.landmarks) {
     const Observation* seen = FindObservation(landmark, leaving.id);
     if (!seen) continue;

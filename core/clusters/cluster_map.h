@@ -75,30 +75,10 @@ auto FirstPoseFrom(std::int64_t frame, auto& trajectory) {
 }
 
 // Turns the cluster's observations in a frame that leaves T_t into past information on their
-// landmarks (METHOD.md 8.4). The frame is no longer in the window.
+// landmarks (METHOD.md 8.4). The frame is no longer in the window. Nothing happens if
+// options.max_past_observations is 0, as in the paper, where a cluster's energy covers T_t alone.
 void AbsorbObservations(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
                         const ClusterOptions& options, Cluster& cluster);
-
-// What happens to a cluster's observations in a frame that leaves T_t.
-template <typename Policy>
-concept PastPolicy = requires(const Window& window, const WindowFrame& leaving,
-                              const FeatureNoise& noise, const ClusterOptions& options,
-                              Cluster& cluster) {
-  Policy::Leave(window, leaving, noise, options, cluster);
-};
-
-// Policy: they become past information on their landmarks (METHOD.md 8.4).
-struct KeepPastInformation {
-  static void Leave(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
-                    const ClusterOptions& options, Cluster& cluster) {
-    AbsorbObservations(window, leaving, noise, options, cluster);
-  }
-};
-// Policy: they are lost, as in the paper, where the energy of a cluster covers T_t alone.
-struct ForgetPast {
-  static void Leave(const Window&, const WindowFrame&, const FeatureNoise&, const ClusterOptions&,
-                    Cluster&) {}
-};
 
 // Removes observations older than T_t, landmarks left without observations and past information,
 // and, beyond options.max_landmarks, the landmarks unseen for longest. If the cluster was observed

@@ -15,6 +15,10 @@
 
 namespace cvo {
 
+// Maximum solves of a cluster per frame; outliers are removed after each, and it is solved again
+// while new ones are found (matches of a body that leaves the image are worst in its last frame).
+inline constexpr int kClusterRounds = 3;
+
 // Converts matches of a body's landmarks with features to measurements of the camera pose in the
 // body's frame.
 std::vector<PointMeasurement> MeasurementsOf(const FeatureNoise& noise,
@@ -58,7 +62,7 @@ SolverEndings OptimizeClusters(const ClusterSolverOptions& options, const Window
   std::vector<SolverEndings> endings(map.live.size());
   pool.ParallelFor(static_cast<int>(map.live.size()), [&](int q) {
     if (map.live[q].last_observed != newest) return;
-    for (int round = 0; round < options.solver.cluster_rounds; ++round) {
+    for (int round = 0; round < kClusterRounds; ++round) {
       ClusterSelection selection = SelectCluster(options.noise, window, map.live[q]);
       if (selection.landmarks.empty()) return;
       endings[q].Count(SolveCluster<MotionPrior, Solver>(options.noise.options, options.solver,

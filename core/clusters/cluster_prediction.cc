@@ -33,7 +33,7 @@ std::optional<CameraSolution> SolvePose(const ClusterSearch& search, const Clust
       return solution;
   }
   return SolveCameraRansac(search.camera, measurements, search.options.noise.options, CountInliers,
-                           search.options.association.ransac_iterations, min_inliers, rng);
+                           kRansacIterations, min_inliers, rng);
 }
 
 void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
@@ -60,6 +60,18 @@ void PlaceFeatures(const ClusterSearch& search, const Cluster& cluster, const Cl
 }
 
 namespace {
+
+// Standard deviation of a new cluster's velocity; falls with 1/n^2 (between walking and driving;
+// the search radius is bounded anyway).
+constexpr double kFirstSpeed_m_s = 5.0;
+// Standard deviation of a tracked cluster's velocity (residuals of predictions on the indoor
+// scenes).
+constexpr double kSpeedDeviation_m_s = 0.2;
+// Standard deviation of a new cluster's angular velocity; falls with 1/n^2 (a rolling ball).
+constexpr double kFirstTurn_rad_s = 2.0;
+// Standard deviation of a tracked cluster's angular velocity (residuals of predictions on the
+// indoor scenes).
+constexpr double kTurnDeviation_rad_s = 0.5;
 
 // Standard deviation of a velocity: large for a new cluster, whose motion is unknown, and falling
 // with the square of the number of frames.
@@ -89,25 +101,23 @@ std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_
   return states;
 }
 
-double SpeedVariance(const Cluster& cluster, const ClusterOptions& options) {
-  const double deviation =
-      FallingDeviation(options.first_speed_m_s, options.speed_deviation_m_s, cluster.frames);
+double SpeedVariance(const Cluster& cluster) {
+  const double deviation = FallingDeviation(kFirstSpeed_m_s, kSpeedDeviation_m_s, cluster.frames);
   return deviation * deviation;
 }
 
-double TurnVariance(const Cluster& cluster, const ClusterOptions& options) {
-  const double deviation =
-      FallingDeviation(options.first_turn_rad_s, options.turn_deviation_rad_s, cluster.frames);
+double TurnVariance(const Cluster& cluster) {
+  const double deviation = FallingDeviation(kFirstTurn_rad_s, kTurnDeviation_rad_s, cluster.frames);
   return deviation * deviation;
 }
 
 PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
-                                 double dt_s, const ClusterOptions& options) {
+                                 double dt_s) {
   PredictedCluster predicted;
   predicted.world_from_object = extrapolated.world_from_object;
   predicted.velocity_m_s = cluster.Latest().velocity_m_s;
   predicted.translation_variance_m2 = extrapolated.translation_covariance_m2(0, 0);
-  predicted.rotation_variance_rad2 = TurnVariance(cluster, options) * dt_s * dt_s;
+  predicted.rotation_variance_rad2 = TurnVariance(cluster) * dt_s * dt_s;
   return predicted;
 }
 
@@ -116,15 +126,10 @@ std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                                                  const Landmark& landmark) {
   const Eigen::Matrix3d R_camera_from_world = search.world_from_camera.RotationMatrix().transpose();
   const Eigen::Vector3d p_in_world = predicted.world_from_object * landmark.p_in_object;
-  const Eigen::Vector3d to_camera = search.world_from_camera.translation() - p_in_world;
-  const Eigen::Vector3d c = -(R_camera_from_world * to_camera);
+  const Eigen::Vector3d c =
+      R_camera_from_world * (p_in_world - search.world_from_camera.translation());
   const auto zeta = search.camera.Project(c);
   if (!zeta || !search.camera.InImage((*zeta)[0], (*zeta)[1])) return std::nullopt;
-
-  const Eigen::Matrix3d R_world_from_object = predicted.world_from_object.RotationMatrix();
-  const double cos_view =
-      (R_world_from_object * landmark.view_in_object).dot(to_camera.normalized());
-  if (cos_view < std::cos(search.options.association.max_view_change_rad)) return std::nullopt;
 
   const double log_scale = std::log(search.options.orb.scale_factor);
   const int octave =
@@ -132,7 +137,7 @@ std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                      static_cast<int>(std::lround(std::log(landmark.depth_m / c.z()) / log_scale)),
                  0, search.options.orb.levels - 1);
   const Eigen::Matrix3d J = search.camera.ProjectionJacobian(c) * R_camera_from_world;
-  const Eigen::Matrix3d JR = J * R_world_from_object;
+  const Eigen::Matrix3d JR = J * predicted.world_from_object.RotationMatrix();
   const double lever_m = landmark.p_in_object.norm();
   PredictedLandmark result;
   result.zeta_px = *zeta;

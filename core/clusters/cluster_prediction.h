@@ -30,37 +30,36 @@ struct PredictedCluster {
 std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_ns);
 // Returns the prediction with mean `extrapolated`, dt_s after the latest state, and its variances.
 PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
-                                 double dt_s, const ClusterOptions& options);
+                                 double dt_s);
 // Variances of the cluster's velocity (m^2/s^2) and angular velocity (rad^2/s^2), per axis.
-double SpeedVariance(const Cluster& cluster, const ClusterOptions& options);
-double TurnVariance(const Cluster& cluster, const ClusterOptions& options);
+double SpeedVariance(const Cluster& cluster);
+double TurnVariance(const Cluster& cluster);
 
 template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
 PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,
-                                const MotionPriorOptions& motion, const ClusterOptions& options) {
+                                const MotionPriorOptions& motion) {
   const std::int64_t origin_ns = cluster.Latest().timestamp_ns;
   const double dt_s = SecondsBetween(origin_ns, timestamp_ns);
-  const Eigen::Matrix3d speed = SpeedVariance(cluster, options) * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d speed = SpeedVariance(cluster) * Eigen::Matrix3d::Identity();
   return WithUncertainty(
       cluster,
-      Extrapolate<MotionPrior, Rotation>(motion, LastStates(cluster, origin_ns), dt_s, speed), dt_s,
-      options);
+      Extrapolate<MotionPrior, Rotation>(motion, LastStates(cluster, origin_ns), dt_s, speed),
+      dt_s);
 }
 
 // Predicts any cluster at one fixed time.
 using ClusterPredictor = std::function<PredictedCluster(const Cluster&)>;
 
-// Returns a predictor for timestamp_ns. `motion` and `options` must outlive it.
+// Returns a predictor for timestamp_ns. `motion` must outlive it.
 template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
-ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions& motion,
-                             const ClusterOptions& options) {
-  return [timestamp_ns, &motion, &options](const Cluster& cluster) {
-    return PredictCluster<MotionPrior, Rotation>(cluster, timestamp_ns, motion, options);
+ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions& motion) {
+  return [timestamp_ns, &motion](const Cluster& cluster) {
+    return PredictCluster<MotionPrior, Rotation>(cluster, timestamp_ns, motion);
   };
 }
 
 // Predicts how the current camera sees a landmark of the cluster. Empty if the landmark is behind
-// the camera, outside the image or on the far side of the body.
+// the camera or outside the image.
 std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark);
@@ -69,7 +68,7 @@ std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
 struct ClusterTrack {
   PredictedCluster predicted;
   RigidTransform world_from_object;  // provisional P_t^q if is_tracked, otherwise predicted
-  bool is_tracked = false;           // has a pose from at least min_tracked inliers
+  bool is_tracked = false;           // has a pose in the frame (METHOD.md 4.4, 4.6)
   std::vector<Match> matches;        // inliers: index into cluster.landmarks, feature
   int detection = -1;                // index into the frame's detections; -1: none
   ImageBox box;                      // around its matched or predicted landmarks; unset if detected

@@ -14,6 +14,46 @@ namespace cvo {
 
 namespace {
 
+// Gate, in standard deviations, for a new cluster to inherit the id of a lost cluster of its
+// class; the lost cluster must explain its position and size at least as well as one predicted
+// to within kMaxSpread_m does at this many standard deviations; larger keeps more
+// identities and confuses more (chosen from 1.5 ... 3 on the rooms, streets and the crowd).
+constexpr double kGate = 2.0;
+
+// Standard deviation between the centres of one body estimated from its boxes before and after
+// it was lost (set by hand on the rendered rooms, not swept).
+constexpr double kCenterDeviation = 0.3;
+
+// Maximum standard deviation of a lost cluster's predicted position: bodies turn back, and
+// rooms have walls (the free space of the rendered rooms, not swept).
+constexpr double kMaxSpread_m = 1.0;
+
+// Standard deviation of a re-found cluster's position about the position that its motion before
+// and after the loss predicts; larger trusts the boxes, smaller the motion (chosen from 0.3,
+// 0.6 and 1 on development rooms, crowds, benches and streets, where little but the object ATE
+// of benches changes).
+constexpr double kPredictionDeviation = 0.3;
+
+// Minimum log-likelihood margin over the second-best candidate; with larger values, doubtful
+// clusters keep a new id (set by hand on the rooms and the crowd, not swept).
+constexpr double kMinLead = 0.25;
+
+// Standard deviation of a body's size between boxes, as a factor: a turning body shows another
+// side (set by hand on the rendered rooms, not swept).
+constexpr double kSizeFactor = 1.7;
+
+// Number of boxes up to which a re-found cluster's frame is re-estimated in every frame, unless
+// landmarks aligned it earlier (half a second at 30 Hz, not swept).
+constexpr int kAlignBoxes = 15;
+
+// Frames between searches for landmarks to refine a frame that was aligned by centres (bounds
+// time).
+constexpr int kAlignInterval = 5;
+
+// Maximum distance at which landmarks of the old and the new object frame are taken for the
+// same point (set by hand on the rendered rooms, not swept).
+constexpr double kPointDeviation = 0.08;
+
 const Cluster& LostOne(const ClusterMap& map, ClusterId id) {
   const Cluster* cluster = FindCluster(map, id);
   Require(cluster != nullptr, "InheritIdentities: a lost cluster is neither live nor archived");
@@ -43,13 +83,12 @@ double LogRatio(const BodySize& a, const BodySize& b) {
 // of the probability density (1/m^3), up to a constant. A cluster that may be anywhere explains
 // every place poorly.
 double ExplanationEnergy(const Cluster& found, const Cluster& lost,
-                         const PredictedCluster& predicted, const IdentityOptions& options) {
-  const double spread =
-      std::min(std::sqrt(predicted.translation_variance_m2), options.max_spread_m);
-  const double deviation = std::hypot(spread, options.center_deviation * lost.size.side_m);
+                         const PredictedCluster& predicted) {
+  const double spread = std::min(std::sqrt(predicted.translation_variance_m2), kMaxSpread_m);
+  const double deviation = std::hypot(spread, kCenterDeviation * lost.size.side_m);
   const Eigen::Vector3d offset = found.Latest().world_from_object * found.box_center.InObject() -
                                  predicted.world_from_object * lost.box_center.InObject();
-  const double size = LogRatio(found.size, lost.size) / std::log(options.size_factor);
+  const double size = LogRatio(found.size, lost.size) / std::log(kSizeFactor);
   return 0.5 * (offset.squaredNorm() / (deviation * deviation) + size * size) +
          3.0 * std::log(deviation);
 }
@@ -57,15 +96,15 @@ double ExplanationEnergy(const Cluster& found, const Cluster& lost,
 // Returns the lost cluster that the found one continues; null if there is none or the choice is
 // ambiguous.
 const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostCluster>& lost,
-                                   const ClusterMap& map, const IdentityOptions& options) {
+                                   const ClusterMap& map) {
   const LostCluster* best = nullptr;
-  double least = 0.5 * options.gate * options.gate;
+  double least = 0.5 * kGate * kGate;
   double second = std::numeric_limits<double>::infinity();
   for (const LostCluster& candidate : lost) {
     const Cluster& cluster = LostOne(map, candidate.id);
     if (!MayBeOne(found, cluster)) continue;
     if (AreGiven(found, cluster)) return &candidate;
-    const double energy = ExplanationEnergy(found, cluster, candidate.predicted, options);
+    const double energy = ExplanationEnergy(found, cluster, candidate.predicted);
     if (energy < least) {
       if (best) second = least;
       least = energy;
@@ -74,7 +113,7 @@ const LostCluster* FindPredecessor(const Cluster& found, const std::vector<LostC
       second = std::min(second, energy);
     }
   }
-  return second - least > options.min_lead ? best : nullptr;
+  return second - least > kMinLead ? best : nullptr;
 }
 
 bool IsEstimated(const ClusterState&) { return true; }
@@ -130,7 +169,6 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
   for (Landmark& landmark : cluster.landmarks) {
     landmark.label.cluster = id;
     landmark.p_in_object = new_from_old * landmark.p_in_object;
-    landmark.view_in_object = R * landmark.view_in_object;
     landmark.covariance.in_object_m2 = R * landmark.covariance.in_object_m2 * R.transpose();
     landmark.past_information = R * landmark.past_information * R.transpose();
     landmark.past_mean_in_object = new_from_old * landmark.past_mean_in_object;
@@ -141,8 +179,7 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
 
 // Estimates former_from_now from landmarks with similar descriptors, which are points in both
 // frames; three of them determine it.
-std::optional<RigidTransform> AlignLandmarks(const IdentityOptions& identity,
-                                             const ClusterAssociationOptions& association,
+std::optional<RigidTransform> AlignLandmarks(const ClusterAssociationOptions& association,
                                              const Cluster& cluster, Rng& rng) {
   std::vector<Descriptor> former;
   for (const Landmark& landmark : cluster.former.landmarks) former.push_back(landmark.descriptor);
@@ -152,8 +189,7 @@ std::optional<RigidTransform> AlignLandmarks(const IdentityOptions& identity,
     feature.descriptor = landmark.descriptor;
     now.push_back(feature);
   }
-  const std::vector<Match> matches =
-      MatchDescriptors(former, now, association.rematch_hamming, association.rematch_ratio);
+  const std::vector<Match> matches = MatchDescriptors(former, now, kRematchHamming, kRematchRatio);
   Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(matches.size()));
   Eigen::Matrix3Xd to = from;
   for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -161,33 +197,30 @@ std::optional<RigidTransform> AlignLandmarks(const IdentityOptions& identity,
     from.col(column) = cluster.landmarks[matches[i].feature].p_in_object;
     to.col(column) = cluster.former.landmarks[matches[i].landmark].p_in_object;
   }
-  return AlignPointsRansac(from, to, identity.point_deviation * cluster.size.side_m,
-                           association.min_rematch, association.ransac_iterations, rng);
+  return AlignPointsRansac(from, to, kPointDeviation * cluster.size.side_m, association.min_rematch,
+                           kRansacIterations, rng);
 }
 
-BodyMotion MotionAtLoss(const Cluster& cluster, const ClusterOptions& options) {
+BodyMotion MotionAtLoss(const Cluster& cluster) {
   const ClusterState& last = cluster.Latest();
   return {last.timestamp_ns,
           last.world_from_object,
           last.velocity_m_s,
           TurnRate(std::span<const ClusterState>(cluster.states), cluster.states.size() - 1),
-          SpeedVariance(cluster, options),
-          TurnVariance(cluster, options)};
+          SpeedVariance(cluster),
+          TurnVariance(cluster)};
 }
 
 // Motion at the first of a found cluster's poses that is after its loss at lost_ns, or at the last
 // pose if none is. Needs at least one pose.
 template <typename Pose>
-BodyMotion MotionWhenFound(const Cluster& cluster, const ClusterOptions& options,
-                           std::span<const Pose> poses, std::int64_t lost_ns) {
+BodyMotion MotionWhenFound(const Cluster& cluster, std::span<const Pose> poses,
+                           std::int64_t lost_ns) {
   const auto is_before = [lost_ns](const Pose& pose) { return pose.timestamp_ns <= lost_ns; };
   const auto first = std::find_if_not(poses.begin(), poses.end() - 1, is_before);
-  return {first->timestamp_ns,
-          first->world_from_object,
-          first->velocity_m_s,
-          TurnRate(std::span<const Pose>(first, poses.end()), 0),
-          SpeedVariance(cluster, options),
-          TurnVariance(cluster, options)};
+  return {first->timestamp_ns,    first->world_from_object,
+          first->velocity_m_s,    TurnRate(std::span<const Pose>(first, poses.end()), 0),
+          SpeedVariance(cluster), TurnVariance(cluster)};
 }
 
 // The former frame of a body at the time when the body was found, as estimated from its motions
@@ -230,7 +263,7 @@ RigidTransform PlaceFormer(const IdentityStep& step, const Lineage& former, cons
       bridged.world_from_object.Inverse() * found.world_from_object;
   Eigen::Vector3d shift = bridged_from_now * now.InObject() - former.box_center.InObject();
   if (now.boxes > 0 && former.box_center.boxes > 0) {
-    const double deviation = step.identity.prediction_deviation;
+    const double deviation = kPredictionDeviation;
     const Eigen::Matrix3d R = bridged_from_now.RotationMatrix();
     const Eigen::Matrix3d by_motion =
         deviation * deviation * bridged.variance_m2 * Eigen::Matrix3d::Identity();
@@ -243,10 +276,9 @@ RigidTransform PlaceFormer(const IdentityStep& step, const Lineage& former, cons
 
 void Inherit(const IdentityStep& step, ClusterId lost, ClusterMap& map, Cluster& found) {
   const Cluster& before = LostOne(map, lost);
-  found.former = {FrameId{}, before.landmarks, before.box_center,
-                  MotionAtLoss(before, step.clusters)};
-  const BodyMotion motion = MotionWhenFound<ClusterState>(found, step.clusters, found.states,
-                                                          found.former.last.timestamp_ns);
+  found.former = {FrameId{}, before.landmarks, before.box_center, MotionAtLoss(before)};
+  const BodyMotion motion =
+      MotionWhenFound<ClusterState>(found, found.states, found.former.last.timestamp_ns);
   const RigidTransform world_from_lost = PlaceFormer(step, found.former, motion, found.box_center);
   ClusterTrajectory later = std::move(map.trajectories[found.id]);
   map.trajectories.erase(found.id);
@@ -301,7 +333,7 @@ void InheritIdentities(const IdentityStep& step, const std::vector<LostCluster>&
   std::vector<ClusterId> inherited;
   for (Cluster& cluster : map.live) {
     if (!IsJustConfirmed(cluster, step.clusters, step.newest)) continue;
-    const LostCluster* predecessor = FindPredecessor(cluster, lost, map, step.identity);
+    const LostCluster* predecessor = FindPredecessor(cluster, lost, map);
     if (!predecessor) continue;
     if (std::find(inherited.begin(), inherited.end(), predecessor->id) != inherited.end()) continue;
     inherited.push_back(predecessor->id);
@@ -317,60 +349,27 @@ void AlignInheritedFrames(const IdentityStep& step, ClusterMap& map, Rng& rng) {
     Lineage& former = cluster.former;
     if (!former.since.valid()) continue;
     const std::int64_t age = step.newest.value - former.since.value;
-    if (former.is_placed && age % step.identity.align_interval != 0) continue;
+    if (former.is_placed && age % kAlignInterval != 0) continue;
     ClusterTrajectory& trajectory = map.trajectories[cluster.id];
-    if (const auto former_from_now =
-            AlignLandmarks(step.identity, step.association, cluster, rng)) {
+    if (const auto former_from_now = AlignLandmarks(step.association, cluster, rng)) {
       ChangeFrame(former_from_now->Inverse(), cluster.id, cluster, trajectory);
       MergeFormerLandmarks(cluster);
     } else if (!former.is_placed) {
       const std::span<const ClusterPose> since(FirstPoseFrom(former.since.value, trajectory),
                                                trajectory.poses.end());
       if (since.empty() || since.back().timestamp_ns <= former.last.timestamp_ns) continue;
-      const BodyMotion motion =
-          MotionWhenFound(cluster, step.clusters, since, former.last.timestamp_ns);
+      const BodyMotion motion = MotionWhenFound(cluster, since, former.last.timestamp_ns);
       ChangeFrame(motion.world_from_object.Inverse() *
                       PlaceFormer(step, former, motion, cluster.box_center),
                   cluster.id, cluster, trajectory);
-      former.is_placed = cluster.box_center.boxes >= step.identity.align_boxes;
+      former.is_placed = cluster.box_center.boxes >= kAlignBoxes;
     }
   }
 }
 
-void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng&) {
+void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
   InheritIdentities(step, FindLostClusters(step.clusters, step.newest, step.predict, map), map);
-}
-
-bool StandsStill(const Window& window, const FeatureNoise& noise, FrameId newest,
-                 const Cluster& cluster) {
-  int still = 0;
-  int moved = 0;
-  for (const Landmark& landmark : cluster.landmarks) {
-    if (landmark.last_seen != newest || landmark.observations.size() < 2) continue;
-    const Observation& earliest = landmark.observations.front();
-    const WindowFrame* frame = window.Find(earliest.frame);
-    if (!frame) continue;
-    // A point that has not moved was seen there from where it is now.
-    const PointMeasurement now{cluster.Latest().world_from_object * landmark.p_in_object,
-                               earliest.z_px, noise.SqrtInformation(earliest)};
-    const auto error = WhitenedError(window.camera, now, frame->world_from_camera.Inverse());
-    ++(error && error->squaredNorm() <= noise.options.gate ? still : moved);
-  }
-  return still > 0 && still >= moved;
-}
-
-void ArchiveUndetected(const Window& window, const FeatureNoise& noise, FrameId newest,
-                       const ClusterOptions& options, ClusterMap& map) {
-  if (options.undetected_frames == 0) return;
-  std::erase_if(map.live, [&](const Cluster& cluster) {
-    const bool is_undetected =
-        newest.value - cluster.last_detected.value >= options.undetected_frames;
-    const bool is_archived = is_undetected && IsConfirmed(cluster, options) &&
-                             !cluster.given_body.valid() &&
-                             StandsStill(window, noise, newest, cluster);
-    if (is_archived) map.archived.push_back(cluster);
-    return is_archived;
-  });
+  AlignInheritedFrames(step, map, rng);
 }
 
 }  // namespace cvo

@@ -24,7 +24,6 @@ std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId
 
 // Inputs of the identity update at the end of a frame.
 struct IdentityStep {
-  const IdentityOptions& identity;
   const ClusterAssociationOptions& association;
   const ClusterOptions& clusters;
   const MotionPriorOptions& motion;
@@ -41,7 +40,7 @@ void InheritIdentities(const IdentityStep& step, const std::vector<LostCluster>&
                        ClusterMap& map);
 
 // Aligns the object frames of clusters that continue under an earlier id with their former frames,
-// by landmarks with similar descriptors. Until that succeeds, and up to identity.align_boxes boxes,
+// by landmarks with similar descriptors. Until that succeeds, and up to 15 boxes,
 // every frame places them anew by the motions and the centres that the boxes show.
 void AlignInheritedFrames(const IdentityStep& step, ClusterMap& map, Rng& rng);
 
@@ -50,7 +49,8 @@ concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng
   Policy::Update(step, map, rng);
 };
 
-// Policy: a newly confirmed cluster may continue a lost one (InheritIdentities).
+// Policy: a newly confirmed cluster may continue a lost one (InheritIdentities), and is aligned
+// with it (AlignInheritedFrames).
 struct InheritLostIdentity {
   static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng);
 };
@@ -58,26 +58,4 @@ struct InheritLostIdentity {
 struct AlwaysNewIdentity {
   static void Update(const IdentityStep&, ClusterMap&, Rng&) {}
 };
-// Policy: applies `Identity`, then aligns the object frames of clusters that continue lost ones
-// (AlignInheritedFrames).
-template <IdentityPolicy Identity>
-struct WithAlignedFrames {
-  static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
-    Identity::Update(step, map, rng);
-    AlignInheritedFrames(step, map, rng);
-  }
-};
-
-// Whether the cluster stands still, as far as T_t shows: of its landmarks that the newest frame and
-// an earlier one of T_t observe, at least half have not moved beyond noise.gate since the earliest.
-// False without such landmarks.
-bool StandsStill(const Window& window, const FeatureNoise& noise, FrameId newest,
-                 const Cluster& cluster);
-
-// Archives confirmed clusters that stand still and have not been detected for
-// options.undetected_frames frames: most come from a false detection that lasted for a few frames
-// and hold points of the static scene (METHOD.md 6.4). Given bodies stay.
-void ArchiveUndetected(const Window& window, const FeatureNoise& noise, FrameId newest,
-                       const ClusterOptions& options, ClusterMap& map);
-
 }  // namespace cvo

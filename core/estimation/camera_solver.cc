@@ -13,6 +13,10 @@ namespace cvo {
 
 namespace {
 
+// Factor on the gate when counting inliers of a RANSAC hypothesis: a minimal sample carries the
+// noise of its three points (two standard deviations of the sample for one of the measurement).
+constexpr double kHypothesisGate = 4.0;
+
 std::vector<Eigen::Index> Inliers(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
                                   const RigidTransform& to_from_from, double max_distance_m) {
   std::vector<Eigen::Index> inliers;
@@ -90,7 +94,7 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
         AlignSample(camera, measurements, DrawSample(measurements.size(), rng));
     if (!world_from_camera) continue;
     CameraSolution agreeing = ClassifyMeasurements(camera, measurements, *world_from_camera,
-                                                   noise.hypothesis_gate * noise.gate);
+                                                   kHypothesisGate * noise.gate);
     const int supported = support(camera, measurements, agreeing.is_inlier);
     if (agreeing.inliers >= 3 && supported > best_support) {
       best_support = supported;

@@ -65,7 +65,7 @@ int CountInliers(const StereoCamera& camera, std::span<const PointMeasurement> m
 
 // Estimates the camera pose without an initial guess from measurements that may contain many
 // outliers. Each hypothesis is a 3D-3D alignment of three triangulated points. The one with the
-// highest support among the measurements within the gate (widened by noise.hypothesis_gate) is
+// highest support among the measurements within the gate (widened for the noise of the sample) is
 // refined by SolveCamera. Empty if there is no hypothesis, or if the refined pose has fewer than
 // min_inliers inliers.
 std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,

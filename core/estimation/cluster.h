@@ -54,9 +54,6 @@ struct Landmark {
   LabelState label;  // q^i and w^i
 
   LandmarkCovariance covariance;
-  // Unit vector from the point to the camera that saw it last. Used because a body hides its own
-  // far side.
-  Eigen::Vector3d view_in_object = Eigen::Vector3d::Zero();
   // Information on p_in_object from a cluster's observations that have left the window (METHOD.md
   // 8.4), and the position on which they agree.
   Eigen::Matrix3d past_information = Eigen::Matrix3d::Zero();

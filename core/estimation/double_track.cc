@@ -8,32 +8,38 @@
 
 namespace cvo {
 
+namespace {
+
+bool IsFar(const Window& window, const WindowFrame& reference, const WindowFrame& frame,
+           const WindowOptions& options) {
+  const double distance_m =
+      (reference.world_from_camera.translation() - frame.world_from_camera.translation()).norm();
+  return distance_m > options.promote_translation * window.MedianDepth(reference.id) ||
+         window.CountCommonLandmarks(reference.id, frame.id) <
+             options.promote_common * window.CountLandmarks(reference.id);
+}
+
+}  // namespace
+
+bool PromoteFarFromFirst::Promotes(const Window& window, const WindowFrame& frame,
+                                   const WindowOptions& options) {
+  return window.spatial.empty() || IsFar(window, window.spatial.front(), frame, options);
+}
+
 bool PromoteDistant::Promotes(const Window& window, const WindowFrame& frame,
                               const WindowOptions& options) {
   if (window.spatial.empty()) return true;
-  const WindowFrame& reference = window.spatial.back();
-  const RigidTransform motion = reference.world_from_camera.Inverse() * frame.world_from_camera;
-  if (RotationAngle(Eigen::Quaterniond(motion.rotation())) > options.promote_rotation_rad) {
-    return true;
-  }
-  if (motion.translation().norm() >
-      options.promote_translation * window.MedianDepth(reference.id)) {
-    return true;
-  }
-  return window.CountCommonLandmarks(reference.id, frame.id) <
-         options.promote_common * window.CountLandmarks(reference.id);
+  const WindowFrame& newest = window.spatial.back();
+  const RigidTransform motion = newest.world_from_camera.Inverse() * frame.world_from_camera;
+  return RotationAngle(Eigen::Quaterniond(motion.rotation())) > options.promote_rotation_rad ||
+         IsFar(window, newest, frame, options);
 }
 
-Vector6d EstimateRightField::Deviation(const NoiseOptions& noise) {
-  Vector6d deviation = Vector6d::Constant(noise.right_field_px);
-  deviation[0] = noise.right_mean_px;
-  return deviation;
-}
-
-Vector6d EstimateRightShift::Deviation(const NoiseOptions& noise) {
-  constexpr double kNone_px = 1e-6;
-  Vector6d deviation = Vector6d::Constant(kNone_px);
-  deviation[0] = noise.right_mean_px;
+Vector6d CalibrationDeviation(const NoiseOptions& noise) {
+  // Negligible, but not so small that its information hides that of the frames (kRelativeRank).
+  constexpr double kNone_px = 1e-3;
+  Vector6d deviation = Vector6d::Constant(std::max(noise.right_field_px, kNone_px));
+  deviation[0] = std::max(noise.right_mean_px, kNone_px);
   return deviation;
 }
 

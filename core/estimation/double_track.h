@@ -44,8 +44,7 @@ struct WindowOptions {
     visit.Field("lost_frames", self.lost_frames,
                 {"frames", 1, 100,
                  "a landmark seen only once is removed after this many frames without an "
-                 "observation; with the rule MarginalizeLost, a landmark not seen for this many "
-                 "frames is marginalised with the frame that leaves",
+                 "observation",
                  "METHOD.md 7.3"});
   }
 };
@@ -54,48 +53,22 @@ struct WindowOptions {
 // its observations; otherwise only that one observation is deleted (METHOD.md 7.3). kKeepsPrior:
 // what is marginalised becomes a prior of the window.
 template <typename Policy>
-concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newest,
-                                         const WindowOptions& options) {
+concept MarginalizationPolicy = requires(const Landmark& landmark, FrameId newest) {
   { Policy::kKeepsPrior } -> std::convertible_to<bool>;
-  { Policy::Marginalizes(landmark, newest, options) } -> std::same_as<bool>;
+  { Policy::Marginalizes(landmark, newest) } -> std::same_as<bool>;
 };
 
-// Policy: marginalise landmarks that were not seen in the last lost_frames frames.
-struct MarginalizeLost {
-  static constexpr bool kKeepsPrior = true;
-  static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions& options) {
-    return landmark.last_seen.value <= newest.value - options.lost_frames;
-  }
-};
 // Policy: marginalise landmarks that the newest frame does not see; the paper's rule.
 struct MarginalizeUnseenByNewest {
   static constexpr bool kKeepsPrior = true;
-  static bool Marginalizes(const Landmark& landmark, FrameId newest, const WindowOptions&) {
+  static bool Marginalizes(const Landmark& landmark, FrameId newest) {
     return landmark.last_seen < newest;
   }
 };
 // Policy: marginalise nothing and form no prior from what leaves.
 struct MarginalizeNothing {
   static constexpr bool kKeepsPrior = false;
-  static bool Marginalizes(const Landmark&, FrameId, const WindowOptions&) { return false; }
-};
-
-// Fixes the gauge of the window: whether the pose of its frame `index` is held constant.
-template <typename Policy>
-concept GaugePolicy = requires(int index, const WindowPrior& prior) {
-  { Policy::Fixes(index, prior) } -> std::same_as<bool>;
-};
-
-// Policy: the oldest frame is held constant.
-struct FixOldestFrame {
-  static bool Fixes(int index, const WindowPrior&) { return index == 0; }
-};
-// Policy: once there is a prior, it alone fixes the gauge; until then the oldest frame is held (the
-// paper's).
-struct PriorHoldsGauge {
-  static bool Fixes(int index, const WindowPrior& prior) {
-    return index == 0 && prior.frames.empty();
-  }
+  static bool Marginalizes(const Landmark&, FrameId) { return false; }
 };
 
 // Whether a frame leaving T_t joins T_s.
@@ -105,6 +78,12 @@ concept PromotionPolicy = requires(const Window& window, const WindowFrame& fram
   { Policy::Promotes(window, frame, options) } -> std::same_as<bool>;
 };
 
+// Policy: if it is far from the first frame in T_s, or has few landmarks in common with it; as
+// printed.
+struct PromoteFarFromFirst {
+  static bool Promotes(const Window& window, const WindowFrame& frame,
+                       const WindowOptions& options);
+};
 // Policy: if it is far from the newest frame in T_s (METHOD.md 7.1).
 struct PromoteDistant {
   static bool Promotes(const Window& window, const WindowFrame& frame,
@@ -115,28 +94,17 @@ struct PromoteNever {
   static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
 };
 
-// How far the calibration of the stereo rig is trusted: the prior standard deviation of each
-// coefficient of right_field_px, unless kFixesRightField holds them constant.
-template <typename Policy>
-concept CalibrationPolicy = requires(const NoiseOptions& noise) {
-  { Policy::kFixesRightField } -> std::convertible_to<bool>;
-  { Policy::Deviation(noise) } -> std::same_as<Vector6d>;
-};
+// Policies for frames that leave the windows: the paper's; ours; without marginalisation; without
+// T_s.
+struct PrintedFrames : MarginalizeUnseenByNewest, PromoteFarFromFirst {};
+struct DoubleTrackFrames : MarginalizeUnseenByNewest, PromoteDistant {};
+struct DroppedFrames : MarginalizeNothing, PromoteDistant {};
+struct TemporalFrames : MarginalizeUnseenByNewest, PromoteNever {};
 
-// Policy: the calibration error varies smoothly over the image.
-struct EstimateRightField {
-  static constexpr bool kFixesRightField = false;
-  static Vector6d Deviation(const NoiseOptions& noise);
-};
-// Policy: the calibration error is constant over the image.
-struct EstimateRightShift {
-  static constexpr bool kFixesRightField = false;
-  static Vector6d Deviation(const NoiseOptions& noise);
-};
-// Policy: the calibration is taken as exact.
-struct TrustCalibration : EstimateRightShift {
-  static constexpr bool kFixesRightField = true;
-};
+// Whether the calibration of the rig is taken as exact: right_field_px is held.
+inline bool TrustsCalibration(const NoiseOptions& noise) { return noise.right_mean_px == 0.0; }
+// Prior standard deviation of each coefficient of right_field_px.
+Vector6d CalibrationDeviation(const NoiseOptions& noise);
 
 // Maximum squared whitened error with which an observation stays in the window after a solve.
 template <typename Policy>
@@ -199,7 +167,7 @@ class DoubleTrack {
     std::vector<LandmarkId> marginalized;
     for (const Landmark& landmark : window.landmarks) {
       if (landmark.observations.size() >= 2 && FindObservation(landmark, leaving) &&
-          MarginalizationRule::Marginalizes(landmark, newest, options_)) {
+          MarginalizationRule::Marginalizes(landmark, newest)) {
         marginalized.push_back(landmark.id);
       }
     }

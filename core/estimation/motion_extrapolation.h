@@ -37,6 +37,20 @@ struct HeldRotation {
   static Eigen::Quaterniond Rotation(std::span<const MotionState> states, double time_s);
 };
 
+// How a body moves, as assumed by its prediction and by the solver.
+template <typename Policy>
+concept BodyMotionPolicy = MotionPriorPolicy<Policy> && RotationPolicy<Policy>;
+
+// Policy: white noise on the acceleration and on the angular acceleration (METHOD.md 8.2, 8.3).
+struct WhiteNoiseMotion : WhiteNoiseOnAcceleration, ConstantAngularVelocity {};
+// Policy: white noise on the acceleration, with the paper's density per frame; predicted bodies do
+// not turn.
+struct FrameNoiseMotion : WhiteNoiseOnAccelerationFrameUnits, HeldRotation {};
+// Policies: without the prior on orientations, without that on positions, and without any.
+struct TranslationNoiseMotion : WhiteNoiseOnTranslation, ConstantAngularVelocity {};
+struct TurnNoiseMotion : WithTurnPrior<NoMotionPrior>, ConstantAngularVelocity {};
+struct FreeMotion : NoMotionPrior, ConstantAngularVelocity {};
+
 // Predicts the position as t + v dt, with the covariance q dt^3 / 3 I + dt^2 Sigma_v: the
 // uncertainty added over dt seconds to that of the last state's position. Throws Error if time_s is
 // not after the last state.

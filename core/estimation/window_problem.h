@@ -22,10 +22,10 @@ void AddLandmark(const Landmark& landmark, const FeatureNoise& noise, WindowProb
 std::vector<int> SelectLandmarks(const Window& window, int max_points);
 
 // Eliminates all points of the problem and the pose of `removed` by Schur complement, and returns
-// the result as a prior over the other frames and right_field_px (METHOD.md 7.3). Factors and the
-// old prior are linearised at the problem's state, factors after the robust loss. The problem must
-// hold only the factors to be marginalised: points with all their remaining observations.
-// Directions whose eigenvalue is below 1e-10 of the largest are taken to carry no information.
+// the result as a prior over the other frames and right_field_px (Eq. 11 of the paper; METHOD.md
+// 7.3). Factors and the old prior are linearised at the problem's state, factors after the robust
+// loss. The problem must hold only the factors to be marginalised: points with all their remaining
+// observations. Directions whose eigenvalue is below 1e-10 of the largest carry no information.
 WindowPrior Marginalize(const NoiseOptions& noise, const WindowProblem& problem, FrameId removed);
 
 // Returns the row offsets of all features that have one.

@@ -15,7 +15,6 @@ struct OrbOptions {
   int box_features = 100;      // corners up to which the reserve fills each box
   int levels = 8;              // pyramid levels
   double scale_factor = 1.2;   // between levels
-  int cell_px = 30;            // side of a FAST cell
   int fast_threshold = 20;     // FAST threshold, grey levels
   int fast_threshold_min = 7;  // the same in cells without a corner above fast_threshold
 
@@ -47,9 +46,6 @@ struct OrbOptions {
                 {"1", 1, 16, "pyramid levels; fewer reduce scale invariance", "METHOD.md 2.1"});
     visit.Field("scale_factor", self.scale_factor,
                 {"1", 1.01, 2.0, "scale between pyramid levels", "METHOD.md 2.1"});
-    visit.Field("cell_px", self.cell_px,
-                {"px", 8, 200, "side of a detection cell; smaller spreads corners more evenly",
-                 "METHOD.md 2.1"});
     visit.Field("fast_threshold", self.fast_threshold,
                 {"grey levels", 1, 255, "FAST threshold", "METHOD.md 2.1"});
     visit.Field(
@@ -59,19 +55,13 @@ struct OrbOptions {
 };
 
 struct StereoMatchOptions {
-  double right_features = 1.5;           // right corners per left corner
-  int max_hamming = 90;                  // maximum descriptor distance, of 256 bits
-  double uniqueness = 0.9;               // maximum best / second-best distance
-  int min_margin_bits = 16;              // minimum second-best - best distance
-  double left_right_tolerance_px = 1.0;  // px of the level
-  double row_tolerance_px = 2.0;         // row difference of a pair, px of the level
-  double max_row_error_px = 1.5;         // the same after subtracting the fitted row offset
-  double max_row_correction_px = 2.0;    // maximum row shift of the compared patches
-  double min_depth_baselines = 3.0;      // depth of the nearest point
-  double min_disparity_px = 0.1;         // disparity of the farthest point
-  int patch_radius_px = 6;               // radius of the aligned patch
-  int search_radius_px = 3;              // columns searched on either side
-  double max_sigma_medians = 2.1;        // maximum sigma of a disparity, in medians of all
+  double right_features = 1.5;         // right corners per left corner
+  int max_hamming = 90;                // maximum descriptor distance, of 256 bits
+  double uniqueness = 0.9;             // maximum best / second-best distance
+  int min_margin_bits = 16;            // minimum second-best - best distance
+  double max_row_correction_px = 2.0;  // maximum row shift of the compared patches
+  double min_depth_baselines = 3.0;    // depth of the nearest point
+  double max_sigma_medians = 2.1;      // maximum sigma of a disparity, in medians of all
 
   // Throws Error naming an invalid field.
   void Check() const;
@@ -94,17 +84,6 @@ struct StereoMatchOptions {
                  "minimum difference between the second best and the best distance: on repetitive "
                  "texture, noise alone can pass the ratio test",
                  "measured on KITTI: 16 costs 2 % of the features"});
-    visit.Field("left_right_tolerance_px", self.left_right_tolerance_px,
-                {"px", 0.0, 10.0, "maximum left-right disagreement, at the corner's scale",
-                 "METHOD.md 2.2"});
-    visit.Field("row_tolerance_px", self.row_tolerance_px,
-                {"px", 0.5, 10.0, "maximum row difference of a stereo match, at the corner's scale",
-                 "METHOD.md 2.2"});
-    visit.Field(
-        "max_row_error_px", self.max_row_error_px,
-        {"px", 0.1, 10.0,
-         "maximum row difference of a stereo match after global row alignment of the image pair",
-         "measured on KITTI"});
     visit.Field("max_row_correction_px", self.max_row_correction_px,
                 {"px", 0.0, 10.0,
                  "maximum row shift of patches to compensate a rectification error; 0: none",
@@ -113,13 +92,6 @@ struct StereoMatchOptions {
         "min_depth_baselines", self.min_depth_baselines,
         {"baselines", 0.5, 100.0, "minimum depth of a point; larger leaves fewer match candidates",
          "METHOD.md 2.2"});
-    visit.Field("min_disparity_px", self.min_disparity_px,
-                {"px", 1e-3, 10.0, "minimum disparity of a point", "METHOD.md 2.2"});
-    visit.Field("patch_radius_px", self.patch_radius_px,
-                {"px", 2, 15, "radius of the patch used for alignment", "METHOD.md 2.2"});
-    visit.Field(
-        "search_radius_px", self.search_radius_px,
-        {"px", 1, 20, "search radius of the alignment around the matched corner", "METHOD.md 2.2"});
     visit.Field("max_sigma_medians", self.max_sigma_medians,
                 {"1", 1.0, 1000.0,
                  "maximum standard deviation of a disparity (in pixels of its level), relative to "

@@ -17,6 +17,20 @@ namespace cvo {
 
 namespace {
 
+// Maximum left-right disagreement, at the corner's scale (METHOD.md 2.2).
+constexpr double kLeftRightTolerance_px = 1.0;
+// Maximum row difference of a stereo match, at the corner's scale (METHOD.md 2.2).
+constexpr double kRowTolerance_px = 2.0;
+// Maximum row difference of a stereo match after global row alignment of the image pair (measured
+// on KITTI).
+constexpr double kMaxRowError_px = 1.5;
+// Radius of the patch used for alignment (METHOD.md 2.2).
+constexpr int kPatchRadius_px = 6;
+// Search radius of the alignment around the matched corner (METHOD.md 2.2).
+constexpr int kSearchRadius_px = 3;
+// Minimum disparity of a point (METHOD.md 2.2).
+constexpr double kMinDisparity_px = 0.1;
+
 constexpr int kIterations = 2;
 constexpr int kFirstIterations = 8;
 constexpr int kWideIterations = 3;
@@ -152,7 +166,7 @@ class PairFinder {
     if (choice.distance > options_.uniqueness * choice.second_distance) return std::nullopt;
     if (choice.distance + options_.min_margin_bits > choice.second_distance) return std::nullopt;
     const OrbKeypoint& other = left_[best_left_[choice.right]];
-    const double tolerance = options_.left_right_tolerance_px * scales_[left_[left].octave];
+    const double tolerance = kLeftRightTolerance_px * scales_[left_[left].octave];
     if (std::abs(other.u_px - left_[left].u_px) > tolerance) return std::nullopt;
     return choice.right;
   }
@@ -189,8 +203,8 @@ class PairFinder {
 
   void CollectAt(int left, int octave) {
     const OrbKeypoint& corner = left_[left];
-    const double tolerance = options_.row_tolerance_px * scales_[std::max(corner.octave, octave)];
-    const double farthest_u = corner.u_px + options_.row_tolerance_px * scales_[corner.octave];
+    const double tolerance = kRowTolerance_px * scales_[std::max(corner.octave, octave)];
+    const double farthest_u = corner.u_px + kRowTolerance_px * scales_[corner.octave];
     const double nearest_u = corner.u_px - max_disparity_;
     const auto band = rows_[octave].Between(corner.v_px - tolerance, corner.v_px + tolerance);
     // Branch-free: most corners of the band are too far away along the row, which a branch per
@@ -270,7 +284,7 @@ struct AlignedCorner {
 };
 
 std::optional<AlignedCorner> Align(const OrbImage& left, const OrbImage& right, const Pair& pair,
-                                   double row_offset_px, const StereoMatchOptions& options) {
+                                   double row_offset_px) {
   const OrbKeypoint& corner = *pair.left;
   const LevelCoordinates coordinates(left.pyramid, corner.octave);
   PatchQuery query;
@@ -278,13 +292,13 @@ std::optional<AlignedCorner> Align(const OrbImage& left, const OrbImage& right, 
   query.v_left = coordinates.LevelV(corner.v_px);
   query.u_right = coordinates.LevelU(pair.right->u_px);
   query.v_right = coordinates.LevelV(corner.v_px + row_offset_px);
-  query.patch_radius = options.patch_radius_px;
-  query.search_radius = options.search_radius_px;
+  query.patch_radius = kPatchRadius_px;
+  query.search_radius = kSearchRadius_px;
   const std::optional<PatchMatch> match =
       AlignPatch(left.pyramid[corner.octave], right.pyramid[corner.octave], query);
   if (!match) return std::nullopt;
   const double u_right = coordinates.FullU(match->u_right);
-  if (corner.u_px - u_right < options.min_disparity_px) return std::nullopt;
+  if (corner.u_px - u_right < kMinDisparity_px) return std::nullopt;
   return AlignedCorner{pair, u_right, match->sigma, match->disagreement};
 }
 
@@ -344,10 +358,10 @@ std::vector<StereoFeature> MatchStereo(const OrbImage& left, const OrbImage& rig
         rows.At(camera, pair.left->u_px, pair.left->v_px, pair.left->u_px - pair.right->u_px);
     const double error = RowDifference(pair) - offset;
     const double scale = std::pow(orb.scale_factor, pair.left->octave);
-    if (std::abs(error) > options.max_row_error_px * scale) continue;
+    if (std::abs(error) > kMaxRowError_px * scale) continue;
     const double applied =
         std::clamp(offset, -options.max_row_correction_px, options.max_row_correction_px);
-    const auto corner = Align(left, right, pair, applied, options);
+    const auto corner = Align(left, right, pair, applied);
     if (corner) aligned.push_back(*corner);
   }
   DropUncertain(aligned, options.max_sigma_medians);

@@ -67,7 +67,7 @@ enum class FrameStatus {
 const char* ToString(FrameStatus status);
 
 enum class ClusterStatus {
-  kTracked,    // at least clusters.min_observed of its landmarks are seen in the frame
+  kTracked,    // at least three of its landmarks are seen in the frame
   kPredicted,  // fewer: the pose is predicted by the motion model
 };
 const char* ToString(ClusterStatus status);

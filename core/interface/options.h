@@ -35,13 +35,10 @@ struct Options {
   ExtentOptions extent;
   MotionPriorOptions motion_prior;
   ClusterOptions clusters;
-  BoxCenterOptions box_center;
-  IdentityOptions identity;
   BodyBoxOptions boxes;
 
   FeatureNoise NoiseOfFeatures() const { return {noise, orb.scale_factor}; }
   // A length of 0 in the options stands for the length of T_t.
-  int PastFrames() const { return unary.past_frames > 0 ? unary.past_frames : window.temporal - 1; }
   int LiveFrames() const {
     return clusters.live_frames > 0 ? clusters.live_frames : window.temporal;
   }
@@ -69,8 +66,6 @@ struct Options {
     visit.Group("extent", self.extent);
     visit.Group("motion_prior", self.motion_prior);
     visit.Group("clusters", self.clusters);
-    visit.Group("box_center", self.box_center);
-    visit.Group("identity", self.identity);
     visit.Group("boxes", self.boxes);
   }
 };

@@ -14,49 +14,33 @@ namespace {
 // raised to this value.
 constexpr double kLeastDisparity_px = 0.1;
 
-// Frames before the current one, oldest first; null if the window does not contain the frame.
-using PastFrames = std::vector<const WindowFrame*>;
-
-PastFrames FindPastFrames(const Window& window, int frames) {
-  PastFrames past(static_cast<std::size_t>(frames));
-  if (window.temporal.empty()) return past;
-  const std::int64_t newest = window.temporal.back().id.value;
-  for (int k = 0; k < frames; ++k) {
-    past[k] = window.Find(FrameId{newest - (frames - 1) + k});
-  }
-  return past;
+// The frame `frames` before the current one, t'; null if the window does not contain it.
+const WindowFrame* FindPastFrame(const Window& window, int frames) {
+  if (window.temporal.empty()) return nullptr;
+  return window.Find(FrameId{window.temporal.back().id.value + 1 - frames});
 }
 
 CrfNode MakeNode(const FrameView& view, const FeatureNoise& noise, const FramePoint& point,
-                 const Landmark* landmark, const PastFrames& past, const LabelSceneSteps& steps) {
+                 const Landmark* landmark, const WindowFrame* past) {
   const StereoFeature& feature = view.frame.features[point.feature];
   CrfNode node;
   node.z_px = feature.z_px;
   node.z_px[2] -= std::max(0.0, kLeastDisparity_px - view.camera.Disparity(feature.z_px));
   if (const auto p = view.camera.BackProject(node.z_px)) node.p_in_camera = *p;
   node.covariance_m2 = view.camera.PointCovariance(node.z_px, noise.Covariance(feature.octave));
-  for (int k = 0; landmark && k < static_cast<int>(past.size()); ++k) {
-    const Observation* seen = past[k] ? FindObservation(*landmark, past[k]->id) : nullptr;
-    if (!seen || !steps.takes_past(k)) continue;
-    node.past = CrfNode::Past{k, seen->z_px, noise.Covariance(seen->octave)};
-    break;
-  }
+  const Observation* seen = landmark && past ? FindObservation(*landmark, past->id) : nullptr;
+  if (seen) node.past = CrfNode::Past{seen->z_px, noise.Covariance(seen->octave)};
   return node;
 }
 
-// Returns past_camera_from_object(then) * object_from_camera(now) for each past frame.
-std::vector<std::optional<RigidTransform>> PastFromNow(const FrameView& view, PointOwner owner,
-                                                       const RigidTransform& world_from_object,
-                                                       const ClusterMap& map,
-                                                       const PastFrames& past) {
-  std::vector<std::optional<RigidTransform>> transforms(past.size());
-  const RigidTransform object_from_camera = world_from_object.Inverse() * view.world_from_camera;
-  for (std::size_t k = 0; k < past.size(); ++k) {
-    if (!past[k]) continue;
-    const auto then = OwnerPose(owner, past[k]->id, map);
-    if (then) transforms[k] = past[k]->world_from_camera.Inverse() * *then * object_from_camera;
-  }
-  return transforms;
+// Returns past_camera_from_object(then) * object_from_camera(now).
+std::optional<RigidTransform> PastFromNow(const FrameView& view, PointOwner owner,
+                                          const RigidTransform& world_from_object,
+                                          const ClusterMap& map, const WindowFrame* past) {
+  const auto then = past ? OwnerPose(owner, past->id, map) : std::nullopt;
+  if (!then) return std::nullopt;
+  return past->world_from_camera.Inverse() * *then * world_from_object.Inverse() *
+         view.world_from_camera;
 }
 
 // Raises the half sides to at least `box_half_size` of the mean side of the box: a body fills its
@@ -69,7 +53,7 @@ void GrowToBox(const StereoCamera& camera, double box_half_size, const ImageBox&
 }
 
 CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int q,
-                      const ClusterMap& map, const ClusterTrack& track, const PastFrames& past) {
+                      const ClusterMap& map, const ClusterTrack& track, const WindowFrame* past) {
   const Cluster& cluster = map.live[q];
   const RigidTransform camera_from_object =
       view.world_from_camera.Inverse() * track.world_from_object;
@@ -84,7 +68,6 @@ CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int 
                                   camera_from_object.RotationMatrix(), cluster.half_size_m};
   const auto& box = label.box ? label.box : label.predicted_box;
   if (box) GrowToBox(view.camera, options.box_half_size, *box, *label.extent);
-  label.past_from_now.resize(past.size());
   if (track.is_tracked) {
     label.past_from_now = PastFromNow(view, ClusterOwner(q), track.world_from_object, map, past);
   }
@@ -92,14 +75,13 @@ CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int 
 }
 
 // Adds a label for each body that occurs in the given labels of features and has no label yet.
-void AddGivenBodies(const FrameView& view, const PastFrames& past, LabelScene& scene) {
+void AddGivenBodies(const FrameView& view, LabelScene& scene) {
   const std::span<const BodyId> bodies = view.shown.feature_body;
   for (const BodyId body : std::set<BodyId>(bodies.begin(), bodies.end())) {
     const auto known = std::find(scene.given_body.begin(), scene.given_body.end(), body);
     if (body <= kStaticBody || known != scene.given_body.end()) continue;
     CrfLabel label;
     label.kind = LabelKind::kNewBox;
-    label.past_from_now.resize(past.size());
     scene.crf.labels.push_back(label);
     scene.detection.push_back(-1);
     scene.given_body.push_back(body);
@@ -138,15 +120,16 @@ RigidTransform OwnerInCamera(const FrameView& view, const FramePoint& point,
 LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& options,
                            const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,
-                           const std::vector<FramePoint>& points, const LabelSceneSteps& steps) {
-  const PastFrames past = FindPastFrames(window, options.past_frames);
+                           const std::vector<FramePoint>& points, const NewBodyRule& new_body) {
+  const WindowFrame* past = FindPastFrame(window, options.unary.past_frames);
   LabelScene scene;
   scene.crf.camera = view.camera;
   for (const FramePoint& point : points) {
     const Landmark* landmark = FindLandmark(point, window, map);
-    scene.crf.nodes.push_back(MakeNode(view, options.noise, point, landmark, past, steps));
+    scene.crf.nodes.push_back(MakeNode(view, options.noise, point, landmark, past));
     if (!landmark) continue;
-    scene.crf.nodes.back().estimate = steps.place(OwnerInCamera(view, point, tracks), *landmark);
+    scene.crf.nodes.back().estimate =
+        CrfNode::Place{OwnerInCamera(view, point, tracks) * landmark->p_in_object};
   }
   CrfLabel still;
   still.kind = LabelKind::kStatic;
@@ -164,8 +147,7 @@ LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& optio
   scene.given_body.push_back(kStaticBody);
   for (const Cluster& cluster : map.live) scene.given_body.push_back(cluster.given_body);
   const std::vector<std::optional<CrfLabel::Extent>> bodies =
-      FindNewBodies(view, {steps.new_body, options.extent, options.unary.box_shrink}, is_claimed,
-                    points, scene.crf.nodes);
+      FindNewBodies(view, {new_body, options.extent}, is_claimed, points, scene.crf.nodes);
   for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
     if (!bodies[m]) continue;
     if (IsPartOfCluster(view, options.extent.part_share, m, *bodies[m], tracks, scene)) continue;
@@ -173,16 +155,14 @@ LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& optio
     label.kind = LabelKind::kNewBox;
     label.box = view.shown.detections[m].box;
     label.extent = bodies[m];
-    label.past_from_now.resize(past.size());
     scene.crf.labels.push_back(label);
     scene.detection.push_back(m);
     const std::span<const BodyId> given = view.shown.detection_body;
     scene.given_body.push_back(given.empty() ? BodyId() : given[m]);
   }
-  AddGivenBodies(view, past, scene);
+  AddGivenBodies(view, scene);
   CrfLabel outlier;
   outlier.kind = LabelKind::kOutlier;
-  outlier.past_from_now.resize(past.size());
   scene.crf.labels.push_back(outlier);
   scene.detection.push_back(-1);
   scene.given_body.push_back(BodyId());

@@ -27,71 +27,20 @@ struct LabelScene {
   bool IsNewBox(int label) const { return label > clusters && label < Outlier(); }
 };
 
-// Where the motion and pairwise terms assume a landmark to be in the current camera frame; empty:
-// Z_t^i.
-template <typename Policy>
-concept PointPlacePolicy = requires(const RigidTransform& camera_from_object,
-                                    const Landmark& landmark) {
-  { Policy::Place(camera_from_object, landmark) } -> std::same_as<std::optional<CrfNode::Place>>;
-};
-
-// Policy: Z_t^i, triangulated from the current frame alone, with the noise of that triangulation.
-struct TriangulatedPlace {
-  static std::optional<CrfNode::Place> Place(const RigidTransform&, const Landmark&) { return {}; }
-};
-// Policy: p_t^i, where the pose of the body places the landmark, taken as exact, as in the paper.
-// New points have no p_t^i.
-struct EstimatedPlace {
-  static std::optional<CrfNode::Place> Place(const RigidTransform& camera_from_object,
-                                             const Landmark& landmark) {
-    return CrfNode::Place{camera_from_object * landmark.p_in_object};
-  }
-};
-
-// Which earlier observation of a landmark the motion term uses: within the last unary.past_frames
-// frames, the oldest one that `Takes` accepts. `later` is the number of frames by which it comes
-// after the first of these frames.
-template <typename Policy>
-concept PastFramePolicy = requires(int later) {
-  { Policy::Takes(later) } -> std::same_as<bool>;
-};
-
-// Policy: the oldest observation.
-struct OldestPastFrame {
-  static bool Takes(int) { return true; }
-};
-// Policy: the observation exactly unary.past_frames frames ago, the paper's t - 5.
-struct ExactPastFrame {
-  static bool Takes(int later) { return later == 0; }
-};
-
 // Options of BuildLabelScene.
 struct LabelSceneOptions {
   FeatureNoise noise;
   UnaryOptions unary;
   ExtentOptions extent;
   ClusterOptions clusters;
-  int past_frames = 0;  // how far the motion term looks back
 };
-
-// The policies of BuildLabelScene.
-struct LabelSceneSteps {
-  std::optional<CrfNode::Place> (*place)(const RigidTransform&, const Landmark&);
-  bool (*takes_past)(int later);
-  NewBodyRule new_body;
-};
-
-template <PointPlacePolicy PointPlace, PastFramePolicy PastFrame, NewBodyPolicy NewBody>
-constexpr LabelSceneSteps StepsOf() {
-  return {&PointPlace::Place, &PastFrame::Takes, RuleOf<NewBody>()};
-}
 
 // Collects what is known of every point and every class (section 3.2 of the paper). The current
 // frame is the one after the newest frame of the window.
 LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& options,
                            const Window& window, const ClusterMap& map,
                            const std::vector<ClusterTrack>& tracks,
-                           const std::vector<FramePoint>& points, const LabelSceneSteps& steps);
+                           const std::vector<FramePoint>& points, const NewBodyRule& new_body);
 
 // Labels of one point of the current frame.
 struct PointLabel {
@@ -172,12 +121,13 @@ template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion, PairwisePolicy Pa
           ConfidencePolicy Confidence>
 FrameLabels LabelPoints(const FrameView& view, const LabelOptions& options, const Window& window,
                         const ClusterMap& map, const std::vector<ClusterTrack>& tracks,
-                        const std::vector<FramePoint>& points, const LabelSceneSteps& steps,
+                        const std::vector<FramePoint>& points, const NewBodyRule& new_body,
                         CrfMemory& memory) {
   if (tracks.empty() && view.shown.detections.empty() && view.shown.feature_body.empty()) {
     return internal::AllStatic(window, map, points);
   }
-  const LabelScene scene = BuildLabelScene(view, options.scene, window, map, tracks, points, steps);
+  const LabelScene scene =
+      BuildLabelScene(view, options.scene, window, map, tracks, points, new_body);
   const UnaryEnergies unary = ComputeUnaries<Box, Affinity, Motion>(scene.crf, options.scene.unary);
   Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {

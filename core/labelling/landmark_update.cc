@@ -47,8 +47,7 @@ Cluster CreateCluster(const FrameView& view, const BodyCenterOptions& options, F
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    const BoxCenter box =
-        CenterFromBox(view, options.box_center, options.birth_depth, birth.detection, origin);
+    const BoxCenter box = CenterFromBox(view, options.birth_depth, birth.detection, origin);
     origin = birth_origin(axes.translation(), box.center_in_world);
     cluster.size.Add(box.size_m, box.is_whole);
   }
@@ -145,8 +144,6 @@ void Observe(const FrameView& view, const LandmarkUpdateOptions& options, const 
 
   const RigidTransform object_from_camera =
       target.world_from_object.Inverse() * frame.world_from_camera;
-  landmark.view_in_object =
-      (Eigen::Vector3d(object_from_camera.translation()) - landmark.p_in_object).normalized();
   if (IsLeftOnly(feature)) return;
   const Eigen::Matrix3d in_camera =
       view.camera.PointCovariance(feature.z_px, options.noise.Covariance(feature.octave));

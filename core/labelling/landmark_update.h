@@ -30,6 +30,10 @@ struct OriginAtCentroid {
   }
 };
 
+// Policies for which points in a new box are its body, and where that body's origin is.
+struct BodiesByDepth : NearestDepths, OriginBehindBox {};   // ours
+struct BodiesOfAllPoints : AllDepths, OriginAtCentroid {};  // the paper's
+
 using BirthOriginFunction = Eigen::Vector3d (*)(const Eigen::Vector3d& centroid,
                                                 const Eigen::Vector3d& box_center);
 

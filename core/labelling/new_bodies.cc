@@ -85,7 +85,7 @@ namespace {
 // A detection that no cluster claims, and the points chosen as its body so far.
 struct OpenBox {
   int detection = 0;
-  ImageBox inner;
+  ImageBox box;
   double angular_size = 0.0;
   std::vector<int> body;  // indices into the points
   double fill = 0.0;      // Fill of these points, in [0, 1]
@@ -104,14 +104,12 @@ double Fill(const ImageBox& box, const std::vector<int>& body, const std::vector
   return IntersectionOverUnion(spread, box);
 }
 
-std::vector<OpenBox> OpenBoxes(const FrameView& view, double shrink,
-                               const std::vector<char>& is_claimed) {
+std::vector<OpenBox> OpenBoxes(const FrameView& view, const std::vector<char>& is_claimed) {
   std::vector<OpenBox> open;
   for (int m = 0; m < static_cast<int>(is_claimed.size()); ++m) {
     const ImageBox& box = view.shown.detections[m].box;
     if (is_claimed[m]) continue;
-    open.push_back(
-        {m, box.Shrunk(shrink), std::max(box.Width(), box.Height()) / view.camera.fx, {}});
+    open.push_back({m, box, std::max(box.Width(), box.Height()) / view.camera.fx, {}});
   }
   return open;
 }
@@ -121,7 +119,7 @@ void ChooseBody(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
   std::vector<int> inside;
   std::vector<double> depths;
   for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
-    if (is_taken[i] || !box.inner.Contains(nodes[i].z_px[0], nodes[i].z_px[1])) continue;
+    if (is_taken[i] || !box.box.Contains(nodes[i].z_px[0], nodes[i].z_px[1])) continue;
     inside.push_back(i);
     depths.push_back(nodes[i].p_in_camera.z());
   }
@@ -130,12 +128,12 @@ void ChooseBody(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
   std::vector<double> fills;
   for (std::vector<int>& body : candidates) {
     for (int& k : body) k = inside[k];
-    fills.push_back(Fill(box.inner, body, nodes));
+    fills.push_back(Fill(box.box, body, nodes));
   }
   box.body.clear();
   box.fill = 0.0;
   if (candidates.empty()) return;
-  const double least = step.extent.mode_min_fill * *std::max_element(fills.begin(), fills.end());
+  const double least = step.extent.kModeMinFill * *std::max_element(fills.begin(), fills.end());
   const auto chosen =
       std::find_if(fills.begin(), fills.end(), [least](double fill) { return fill >= least; });
   box.body = std::move(candidates[static_cast<std::size_t>(chosen - fills.begin())]);
@@ -173,7 +171,7 @@ CrfLabel::Extent ExtentOf(const std::vector<int>& body, const std::vector<CrfNod
 
 std::vector<std::vector<int>> AllDepths::Candidates(const std::vector<double>& depths_m, double,
                                                     const ExtentOptions& options) {
-  if (static_cast<int>(depths_m.size()) < options.mode_min_points) return {};
+  if (static_cast<int>(depths_m.size()) < options.kModeMinPoints) return {};
   std::vector<int> all(depths_m.size());
   std::iota(all.begin(), all.end(), 0);
   return {all};
@@ -188,7 +186,7 @@ std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view
   for (const FramePoint& point : points) {
     is_taken.push_back(point.owner.kind == PointOwner::Kind::kCluster);
   }
-  std::vector<OpenBox> open = OpenBoxes(view, step.box_shrink, is_claimed);
+  std::vector<OpenBox> open = OpenBoxes(view, is_claimed);
   for (OpenBox& box : open) ChooseBody(step, nodes, is_taken, box);
   if (!step.rule.shares_points) ShareOut(step, nodes, is_taken, open);
   std::vector<std::optional<CrfLabel::Extent>> bodies(is_claimed.size());

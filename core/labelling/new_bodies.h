@@ -97,7 +97,6 @@ constexpr NewBodyRule RuleOf() {
 struct NewBodyStep {
   NewBodyRule rule;
   ExtentOptions extent;
-  double box_shrink = 0.0;  // unary.box_shrink
 };
 
 // Returns for each detection the extent of the body in it, from those of its points that belong to

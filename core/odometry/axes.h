@@ -19,54 +19,43 @@
 
 namespace cvo {
 
+template <typename Policy>
+concept NewBodyAndOriginPolicy = NewBodyPolicy<Policy> && BirthOriginPolicy<Policy>;
+template <typename Policy>
+concept FramePolicy = MarginalizationPolicy<Policy> && PromotionPolicy<Policy>;
+
 // The axes along which variants differ, with the concept that each one requires of its policy. Two
 // variants with the same axes are the same type of estimator, whatever their options.
-template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxWeightsPolicy BW, BoxCostPolicy BC,
-          ClassGatePolicy CG, BoxRematchPolicy BR, RotationPolicy R, IdentityPolicy I, UnaryTerm BT,
-          UnaryTerm AT, UnaryTerm MT, PointPlacePolicy PP, PastFramePolicy PF, NewBodyPolicy NB,
-          PairwisePolicy P, ConfidencePolicy C, BirthOriginPolicy BO, MotionPriorPolicy MP,
-          PastPolicy Pa, OutlierPolicy O, MarginalizationPolicy M, GaugePolicy G,
-          PromotionPolicy ST, CalibrationPolicy Ca, SolverPolicy S>
+template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxPolicy B, BoxRematchPolicy BR,
+          IdentityPolicy I, UnaryTerm BT, UnaryTerm AT, UnaryTerm MT, NewBodyAndOriginPolicy NB,
+          PairwisePolicy P, ConfidencePolicy C, BodyMotionPolicy BM, OutlierPolicy O, FramePolicy F,
+          SolverPolicy S>
 struct Axes {
   using Detections = D;
   using LandmarkAssociation = LA;
-  using BoxWeights = BW;
-  using BoxCost = BC;
-  using ClassGate = CG;
+  using Boxes = B;
   using BoxRematch = BR;
-  using Rotation = R;
   using Identity = I;
   using BoxTerm = BT;
   using AffinityTerm = AT;
   using MotionTerm = MT;
-  using PointPlace = PP;
-  using PastFrame = PF;
   using NewBody = NB;
   using Pairwise = P;
   using Confidence = C;
-  using BirthOrigin = BO;
-  using MotionPrior = MP;
-  using Past = Pa;
+  using BodyMotion = BM;
   using Outliers = O;
-  using MarginalizationRule = M;
-  using Gauge = G;
-  using SpatialTrack = ST;
-  using Calibration = Ca;
+  using Frames = F;
   using Solver = S;
 };
 
 // Collects the policies that a variant names. A variant that lacks an axis, or names a policy that
 // does not satisfy the concept of its axis, does not compile.
 template <typename V>
-using AxesOf =
-    Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::BoxWeights,
-         typename V::BoxCost, typename V::ClassGate, typename V::BoxRematch, typename V::Rotation,
-         typename V::Identity, typename V::BoxTerm, typename V::AffinityTerm,
-         typename V::MotionTerm, typename V::PointPlace, typename V::PastFrame, typename V::NewBody,
-         typename V::Pairwise, typename V::Confidence, typename V::BirthOrigin,
-         typename V::MotionPrior, typename V::Past, typename V::Outliers,
-         typename V::MarginalizationRule, typename V::Gauge, typename V::SpatialTrack,
-         typename V::Calibration, typename V::Solver>;
+using AxesOf = Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::Boxes,
+                    typename V::BoxRematch, typename V::Identity, typename V::BoxTerm,
+                    typename V::AffinityTerm, typename V::MotionTerm, typename V::NewBody,
+                    typename V::Pairwise, typename V::Confidence, typename V::BodyMotion,
+                    typename V::Outliers, typename V::Frames, typename V::Solver>;
 
 template <typename V>
 concept EstimatorVariant = requires {

@@ -105,18 +105,18 @@ std::optional<RigidTransform> FindWithoutPrediction(const CameraTrackingOptions&
   std::vector<int> landmark;
   const FrameId newest = window.temporal.back().id;
   for (int i = 0; i < static_cast<int>(window.landmarks.size()); ++i) {
-    if (window.landmarks[i].last_seen.value <= newest.value - options.tracking.recovery_frames)
+    if (window.landmarks[i].last_seen.value <= newest.value - options.tracking.kRecoveryFrames)
       continue;
     descriptors.push_back(window.landmarks[i].descriptor);
     landmark.push_back(i);
   }
   std::vector<Match> matches =
-      MatchDescriptors(descriptors, grid.features(), options.tracking.recovery_hamming,
-                       options.tracking.recovery_ratio);
+      MatchDescriptors(descriptors, grid.features(), options.tracking.kRecoveryHamming,
+                       options.tracking.kRecoveryRatio);
   for (Match& match : matches) match.landmark = landmark[match.landmark];
   const auto solution = SolveCameraRansac(
       window.camera, MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
-      options.noise.options, CoveredCells, options.tracking.recovery_iterations,
+      options.noise.options, CoveredCells, options.tracking.kRecoveryIterations,
       options.tracking.min_inliers, rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;

@@ -12,6 +12,10 @@ namespace cvo {
 
 namespace {
 
+// Minimum observed landmarks for a cluster with a pose to be reported as tracked, not predicted
+// (METHOD.md 8.1).
+constexpr int kMinObserved = 3;
+
 void CopyFrames(const WindowProblem& problem, Window& window) {
   std::size_t i = 0;
   for (std::vector<WindowFrame>* track : {&window.spatial, &window.temporal}) {
@@ -64,14 +68,12 @@ void AddBoxCenter(const FrameView& view, const BodyCenterOptions& options,
         track.world_from_object * cluster.landmarks[track.matches[i].landmark].p_in_object;
   }
   const Eigen::Vector3d surface = PrincipalAxes(points, options.extent).translation();
-  const BoxCenter box =
-      CenterFromBox(view, options.box_center, options.birth_depth, track.detection, surface);
+  const BoxCenter box = CenterFromBox(view, options.birth_depth, track.detection, surface);
   cluster.size.Add(box.size_m, box.is_whole);
   cluster.box_center.Add(track.world_from_object.Inverse(), box.center_in_world, box.information);
 }
 
-ClusterReport DescribeCluster(const ClusterOptions& options, FrameId newest,
-                              const Cluster& cluster) {
+ClusterReport DescribeCluster(FrameId newest, const Cluster& cluster) {
   ClusterReport report;
   report.id = cluster.id;
   report.category = cluster.category;
@@ -84,7 +86,7 @@ ClusterReport DescribeCluster(const ClusterOptions& options, FrameId newest,
                     [&](const Landmark& landmark) { return landmark.last_seen == newest; }));
   report.detection = cluster.last_detected == newest ? cluster.detection : -1;
   const bool is_tracked =
-      cluster.Latest().frame == newest && report.observed_landmarks >= options.min_observed;
+      cluster.Latest().frame == newest && report.observed_landmarks >= kMinObserved;
   report.status = is_tracked ? ClusterStatus::kTracked : ClusterStatus::kPredicted;
   return report;
 }
@@ -126,12 +128,11 @@ void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId 
   }
 }
 
-std::vector<ClusterReport> DescribeClusters(const ClusterOptions& options, FrameId newest,
-                                            const ClusterPredictor& predict,
+std::vector<ClusterReport> DescribeClusters(FrameId newest, const ClusterPredictor& predict,
                                             const ClusterMap& map) {
   std::vector<ClusterReport> reports;
   for (const Cluster& cluster : map.live) {
-    ClusterReport report = DescribeCluster(options, newest, cluster);
+    ClusterReport report = DescribeCluster(newest, cluster);
     if (cluster.Latest().frame < newest) {
       const PredictedCluster predicted = predict(cluster);
       report.world_from_object = predicted.world_from_object;

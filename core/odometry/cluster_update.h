@@ -47,19 +47,18 @@ struct WindowReport {
 double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
                      Window& window);
 
-// Bundle adjustment of the window (static energy of section 3.3 of the paper). `Gauge` decides
-// which frames are held fixed, `Calibration` whether camera.right_field_px is.
-template <GaugePolicy Gauge, CalibrationPolicy Calibration, OutlierPolicy Outliers,
-          SolverPolicy Solver>
+// Bundle adjustment of the window (static energy of section 3.3 of the paper). The oldest frame is
+// held fixed (METHOD.md 7.4).
+template <OutlierPolicy Outliers, SolverPolicy Solver>
 WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& options,
                             const RowField& rows, Window& window) {
   WindowProblem problem = MakeFrames(window);
   const std::vector<const WindowFrame*> frames = window.Frames();
   for (std::size_t i = 0; i < problem.frames.size(); ++i) {
-    problem.is_fixed[i] = frames[i]->is_given || Gauge::Fixes(static_cast<int>(i), problem.prior);
+    problem.is_fixed[i] = i == 0 || frames[i]->is_given;
   }
-  problem.is_right_field_fixed = Calibration::kFixesRightField;
-  if (!Calibration::kFixesRightField) {
+  problem.is_right_field_fixed = TrustsCalibration(noise.options);
+  if (!problem.is_right_field_fixed) {
     AppendRowEvidence(rows, window.camera, noise.options.row_field_px, problem.prior);
   }
   const std::vector<int> landmarks = SelectLandmarks(window, options.max_points);
@@ -84,8 +83,8 @@ void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId 
 
 // Describes every live cluster in the newest frame, after the optimisation and without boxes and
 // scores. A cluster without a state in the frame is predicted.
-std::vector<ClusterReport> DescribeClusters(const ClusterOptions& options, FrameId newest,
-                                            const ClusterPredictor& predict, const ClusterMap& map);
+std::vector<ClusterReport> DescribeClusters(FrameId newest, const ClusterPredictor& predict,
+                                            const ClusterMap& map);
 
 // Appends the reports of all live clusters to their trajectories, and updates the poses of T_t
 // there. Returns the reports of the confirmed clusters.

@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <deque>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
 #include "core/association/matching.h"
 #include "core/base/rng.h"
 #include "core/bodies/body_boxes.h"
@@ -39,127 +46,51 @@ class VisualOdometry final : public Odometry {
 
   FrameReport Process(const StereoFrame& input, StageTimes& times) override {
     CheckGiven(input);
+    FrameReport report = Begin(input.timestamp_ns);
     StereoFrame frame = input;  // a copy, because alignment moves matched features
-    FrameReport report = Begin(frame.timestamp_ns);
-    report.features = static_cast<int>(
-        std::count_if(frame.features.begin(), frame.features.end(),
-                      [](const StereoFeature& feature) { return !IsLeftOnly(feature); }));
     const ShownBodies shown = Variant::Detections::Show(frame);
     const FeatureGrid grid(frame.features, camera_);
-    const FeatureGrid scene_grid(frame.features, camera_,
-                                 SceneFeatures(frame.features, shown.detections));
+    report.features = static_cast<int>(std::ranges::count_if(
+        frame.features, [](const StereoFeature& feature) { return !IsLeftOnly(feature); }));
+
+    // Camera against the static landmarks (3.1, first paragraph).
     const RigidTransform predicted =
         frame.given.world_from_camera.value_or(motion_.Predict(frame.timestamp_ns));
-
-    // Track the camera against the static landmarks (3.1, first paragraph).
-    std::optional<CameraTrack> track;
-    if (!window_.temporal.empty()) {
-      const ScopedStage stage(times, "track");
-      track = TrackCamera(
-          {options_.NoiseOfFeatures(), options_.orb, options_.matching, options_.tracking}, window_,
-          scene_grid, frame.features,
-          {predicted, frame.given.world_from_camera.has_value(), motion_.HasVelocity()}, rng_);
-    }
+    const auto track = Timed(times, "track", [&] { return Track(predicted, shown, frame); });
     if (!track && !StartsMap(report.features)) return EndLost(predicted, report);
     if (!track) Restart();
-    const std::vector<Match> static_matches = track ? track->inliers : std::vector<Match>();
-    const WindowFrame entering{newest_, track ? track->world_from_camera : predicted,
-                               frame.given.world_from_camera.has_value()};
-    const FrameView view{frame, shown, grid, window_.camera, entering.world_from_camera};
-    const ClusterSearch search{view,
-                               {options_.NoiseOfFeatures(), options_.orb, options_.association,
-                                options_.clusters, options_.tracking.align_patches}};
+    Step step{{frame, shown, grid, window_.camera, track ? track->world_from_camera : predicted}};
+    if (track) step.static_matches = track->inliers;
 
-    // Associate features and boxes with the clusters (3.1, multi-level probabilistic association).
-    std::vector<ClusterTrack> cluster_tracks;
-    {
-      const ScopedStage stage(times, "associate");
-      TakenFeatures taken = TakenBy(static_matches, frame.features.size());
-      cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
-                                         typename Variant::BoxWeights, typename Variant::BoxCost,
-                                         typename Variant::ClassGate, typename Variant::BoxRematch>(
-          search, PredictorOfClusters(), clusters_, cluster_rng_, taken);
-      for (std::size_t q = 0; q < cluster_tracks.size(); ++q) {
-        if (!cluster_tracks[q].is_tracked) continue;
-        PlaceFeatures(search, clusters_.live[q], cluster_tracks[q], frame.features);
-      }
-    }
-
-    // Infer the body that each point belongs to (3.2, heterogeneous CRF).
-    const std::vector<FramePoint> points =
-        CollectPoints(view, options_.tracking.min_disparity_px, static_matches, cluster_tracks);
-    FrameLabels labels;
-    {
-      const ScopedStage stage(times, "label");
-      const LabelSceneOptions scene{options_.NoiseOfFeatures(), options_.unary, options_.extent,
-                                    options_.clusters, options_.PastFrames()};
-      labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
-                           typename Variant::MotionTerm, typename Variant::Pairwise,
-                           typename Variant::Confidence>(
-          view, {scene, options_.pairwise, options_.label_matching}, window_, clusters_,
-          cluster_tracks, points,
-          StepsOf<typename Variant::PointPlace, typename Variant::PastFrame,
-                  typename Variant::NewBody>(),
-          crf_memory_);
-      AdoptDetections(labels, clusters_, cluster_tracks);
-    }
-
-    // Add the frame and its landmarks to the windows (3.3, double-track frame management).
-    {
-      const ScopedStage stage(times, "window");
-      const BodyCenterOptions center{options_.box_center, options_.extent,
-                                     options_.clusters.birth_depth};
-      AddStates(view, center, newest_, cluster_tracks, clusters_);
-      CreateClusters(view, center, newest_, points, labels, &Variant::BirthOrigin::Origin,
-                     clusters_);
-      report.new_landmarks = UpdateLandmarks(
-          view, {options_.NoiseOfFeatures(), options_.tracking.align_patches}, entering,
-          cluster_tracks, points, labels, next_landmark_, window_, clusters_);
-      RemoveUnconfirmed(newest_, options_.window.lost_frames, window_.landmarks);
-      AdvanceWindow(entering);
-    }
-
-    // Bundle adjustment of the static window, with its prior (3.3, static scene and camera pose).
-    {
-      const ScopedStage stage(times, "optimize");
-      if (!Variant::Calibration::kFixesRightField) {
-        rows_.Add(RowOffsets(input.features, options_.orb.scale_factor), camera_);
-      }
-      const WindowReport window =
-          OptimizeWindow<typename Variant::Gauge, typename Variant::Calibration,
-                         typename Variant::Outliers, typename Variant::Solver>(
-              options_.NoiseOfFeatures(), options_.solver, rows_, window_);
-      report.window_landmarks = window.landmarks;
-      report.window_iterations = window.iterations;
-      report.window_endings = window.endings;
-      report.mean_error_px = window.mean_error_px;
-      report.calibration = {window_.camera.right_field_px, window.right_field_information};
-    }
-
-    // Search the preceding frames for clusters that were found late (METHOD.md 6.6).
-    {
-      const ScopedStage stage(times, "trace");
+    // Features and boxes with the clusters (3.1, multi-level probabilistic association).
+    Timed(times, "associate", [&] { Associate(frame.features, step); });
+    // The body that each point belongs to (3.2, heterogeneous CRF).
+    Timed(times, "label", [&] { Label(step); });
+    // The frame and its landmarks enter the windows (3.3, double-track frame management).
+    Timed(times, "window", [&] { report.new_landmarks = Enter(step); });
+    // Bundle adjustment of the static window with its prior (3.3, Eq. 10 and 11).
+    Timed(times, "optimize", [&] { OptimizeScene(input.features, report); });
+    // The preceding frames are searched for clusters that were found late (METHOD.md 6.6).
+    Timed(times, "trace", [&] {
       TraceBack<typename Variant::LandmarkAssociation>(
-          search.options, window_, PredictorAnytimeOf(), &Variant::Detections::Show, kept_,
+          SearchOptions(), window_, PredictorAnytimeOf(), &Variant::Detections::Show, kept_,
           clusters_, cluster_rng_);
-    }
-
-    // Optimise every cluster with the camera poses held fixed as they are now (3.3, dynamic
-    // clusters).
-    {
-      const ScopedStage stage(times, "optimize_clusters");
+    });
+    // Every cluster with its motion prior, the camera held as it is now (3.3, Eq. 12 and 13).
+    Timed(times, "optimize_clusters", [&] {
       report.cluster_endings =
-          OptimizeClusters<typename Variant::MotionPrior, typename Variant::Outliers,
+          OptimizeClusters<typename Variant::BodyMotion, typename Variant::Outliers,
                            typename Variant::Solver>(
               {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
               clusters_);
-    }
+    });
+
     report.status = !track ? FrameStatus::kFirst
                            : (lost_ > 0 ? FrameStatus::kRecovered : FrameStatus::kTracked);
     report.matches = track ? track->matches : 0;
-    report.inliers = static_cast<int>(static_matches.size());
-    report.landmarks = ReportLandmarks(view, points, labels);
-    report = EndTracked(view, std::move(report));
+    report.inliers = static_cast<int>(step.static_matches.size());
+    report.landmarks = ReportLandmarks(step.view, step.points, step.labels);
+    report = EndTracked(step.view, std::move(report));
     Keep(std::move(frame), report.landmarks);
     return report;
   }
@@ -178,6 +109,93 @@ class VisualOdometry final : public Odometry {
   }
 
  private:
+  // What is known of a frame so far.
+  struct Step {
+    FrameView view;
+    std::vector<Match> static_matches = {};
+    std::vector<ClusterTrack> cluster_tracks = {};
+    std::vector<FramePoint> points = {};
+    FrameLabels labels = {};
+  };
+
+  static auto Timed(StageTimes& times, const char* stage, const auto& run) {
+    const ScopedStage timer(times, stage);
+    return run();
+  }
+
+  // Empty if the camera is lost, or if there is no map yet. Moves matched features.
+  std::optional<CameraTrack> Track(const RigidTransform& predicted, const ShownBodies& shown,
+                                   StereoFrame& frame) {
+    if (window_.temporal.empty()) return std::nullopt;
+    const FeatureGrid scene_grid(frame.features, camera_,
+                                 SceneFeatures(frame.features, shown.detections));
+    return TrackCamera(
+        {options_.NoiseOfFeatures(), options_.orb, options_.matching, options_.tracking}, window_,
+        scene_grid, frame.features,
+        {predicted, frame.given.world_from_camera.has_value(), motion_.HasVelocity()}, rng_);
+  }
+
+  ClusterSearchOptions SearchOptions() const {
+    return {options_.NoiseOfFeatures(), options_.orb, options_.association, options_.clusters,
+            options_.tracking.align_patches};
+  }
+
+  // Moves matched features.
+  void Associate(std::span<StereoFeature> features, Step& step) {
+    const ClusterSearch search{step.view, SearchOptions()};
+    TakenFeatures taken = TakenBy(step.static_matches, features.size());
+    step.cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
+                                            typename Variant::Boxes, typename Variant::BoxRematch>(
+        search, PredictorOfClusters(), clusters_, cluster_rng_, taken);
+    for (std::size_t q = 0; q < step.cluster_tracks.size(); ++q) {
+      if (!step.cluster_tracks[q].is_tracked) continue;
+      PlaceFeatures(search, clusters_.live[q], step.cluster_tracks[q], features);
+    }
+  }
+
+  void Label(Step& step) {
+    step.points = CollectPoints(step.view, options_.tracking.min_disparity_px, step.static_matches,
+                                step.cluster_tracks);
+    const LabelSceneOptions scene{options_.NoiseOfFeatures(), options_.unary, options_.extent,
+                                  options_.clusters};
+    step.labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
+                              typename Variant::MotionTerm, typename Variant::Pairwise,
+                              typename Variant::Confidence>(
+        step.view, {scene, options_.pairwise, options_.label_matching}, window_, clusters_,
+        step.cluster_tracks, step.points, RuleOf<typename Variant::NewBody>(), crf_memory_);
+    AdoptDetections(step.labels, clusters_, step.cluster_tracks);
+  }
+
+  // Returns the number of new landmarks.
+  int Enter(Step& step) {
+    const WindowFrame entering{newest_, step.view.world_from_camera,
+                               step.view.frame.given.world_from_camera.has_value()};
+    const BodyCenterOptions center{options_.extent, options_.clusters.birth_depth};
+    AddStates(step.view, center, newest_, step.cluster_tracks, clusters_);
+    CreateClusters(step.view, center, newest_, step.points, step.labels, &Variant::NewBody::Origin,
+                   clusters_);
+    const int created = UpdateLandmarks(
+        step.view, {options_.NoiseOfFeatures(), options_.tracking.align_patches}, entering,
+        step.cluster_tracks, step.points, step.labels, next_landmark_, window_, clusters_);
+    RemoveUnconfirmed(newest_, options_.window.lost_frames, window_.landmarks);
+    AdvanceWindow(entering);
+    return created;
+  }
+
+  void OptimizeScene(const std::vector<StereoFeature>& features, FrameReport& report) {
+    if (!TrustsCalibration(options_.noise)) {
+      rows_.Add(RowOffsets(features, options_.orb.scale_factor), camera_);
+    }
+    const WindowReport window =
+        OptimizeWindow<typename Variant::Outliers, typename Variant::Solver>(
+            options_.NoiseOfFeatures(), options_.solver, rows_, window_);
+    report.window_landmarks = window.landmarks;
+    report.window_iterations = window.iterations;
+    report.window_endings = window.endings;
+    report.mean_error_px = window.mean_error_px;
+    report.calibration = {window_.camera.right_field_px, window.right_field_information};
+  }
+
   FrameReport Begin(std::int64_t timestamp_ns) {
     Require(!newest_.valid() || timestamp_ns > timestamp_ns_,
             "Odometry: timestamps must increase from frame to frame");
@@ -188,8 +206,8 @@ class VisualOdometry final : public Odometry {
 
   // Predicts clusters at the time of the current frame.
   ClusterPredictor PredictorOfClusters() const {
-    return PredictorAt<typename Variant::MotionPrior, typename Variant::Rotation>(
-        timestamp_ns_, options_.motion_prior, options_.clusters);
+    return PredictorAt<typename Variant::BodyMotion, typename Variant::BodyMotion>(
+        timestamp_ns_, options_.motion_prior);
   }
 
   // A frame with enough features starts the map if it is the first one or follows at least
@@ -200,14 +218,14 @@ class VisualOdometry final : public Odometry {
   }
 
   void Restart() {
-    const Vector6d deviation_px = Variant::Calibration::Deviation(options_.noise);
-    window_ = Window{camera_, CalibrationPrior(camera_, deviation_px), {}, {}, {}};
+    window_ = Window{
+        camera_, CalibrationPrior(camera_, CalibrationDeviation(options_.noise)), {}, {}, {}};
   }
 
   PredictorAnytime PredictorAnytimeOf() const {
     return [this](const Cluster& cluster, std::int64_t timestamp_ns) {
-      return PredictCluster<typename Variant::MotionPrior, typename Variant::Rotation>(
-          cluster, timestamp_ns, options_.motion_prior, options_.clusters);
+      return PredictCluster<typename Variant::BodyMotion, typename Variant::BodyMotion>(
+          cluster, timestamp_ns, options_.motion_prior);
     };
   }
 
@@ -228,16 +246,16 @@ class VisualOdometry final : public Odometry {
     while (kept_.front().id < window_.temporal.front().id) kept_.pop_front();
   }
 
-  // Adds the frame to T_t. What the clusters saw in the frame that leaves T_t is handed to Past,
-  // which may keep it with their landmarks.
+  // Adds the frame to T_t. What the clusters saw in the frame that leaves T_t stays with their
+  // landmarks.
   void AdvanceWindow(const WindowFrame& entering) {
     const std::optional<WindowFrame> oldest =
         window_.temporal.empty() ? std::nullopt : std::optional(window_.temporal.front());
     double_track_.Advance(entering, window_);
     for (Cluster& cluster : clusters_.live) {
       if (oldest && window_.temporal.front().id != oldest->id) {
-        Variant::Past::Leave(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
-                             cluster);
+        AbsorbObservations(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
+                           cluster);
       }
       RemoveUnconfirmed(newest_, options_.window.lost_frames, cluster.landmarks);
       TrimCluster(window_, newest_, options_.clusters, cluster);
@@ -259,20 +277,15 @@ class VisualOdometry final : public Odometry {
 
   // `view` is null for a frame without a tracked camera.
   void EndClusters(const FrameView* view, FrameReport& report) {
-    if (view != nullptr) {
-      ArchiveUndetected(window_, options_.NoiseOfFeatures(), newest_, options_.clusters, clusters_);
-    }
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
-    Variant::Identity::Update({options_.identity, options_.association, options_.clusters,
-                               options_.motion_prior, newest_, predict},
-                              clusters_, cluster_rng_);
-    std::vector<ClusterReport> described =
-        DescribeClusters(options_.clusters, newest_, predict, clusters_);
+    Variant::Identity::Update(
+        {options_.association, options_.clusters, options_.motion_prior, newest_, predict},
+        clusters_, cluster_rng_);
+    std::vector<ClusterReport> described = DescribeClusters(newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
-    const BodyPlaceOptions place{options_.box_center, options_.noise.disparity_px};
     const BoxSceneOptions boxes{options_.NoiseOfFeatures(), options_.clusters, options_.extent,
-                                place, options_.boxes};
+                                options_.boxes};
     boxes_.Describe({boxes, clusters_, view, newest_, report.world_from_camera,
                      ground_.Down(report.world_from_camera)},
                     described);
@@ -313,7 +326,7 @@ class VisualOdometry final : public Odometry {
   Rng rng_;
   Rng cluster_rng_;
   GroundDirection ground_;
-  DoubleTrack<typename Variant::MarginalizationRule, typename Variant::SpatialTrack> double_track_;
+  DoubleTrack<typename Variant::Frames, typename Variant::Frames> double_track_;
 
   RowField rows_;  // of the rig
   Window window_;

@@ -19,8 +19,7 @@ struct PointPrior {
   Eigen::Matrix3d sqrt_information = Eigen::Matrix3d::Zero();  // zero: no information
 };
 
-// The energy of one cluster over its frames in T_t (section 3.3 of the paper, dynamic clusters), as
-// plain arrays. The camera poses are held fixed, and so is the oldest object pose, because it has
+// The energy of one cluster over its frames in T_t (Eq. 13 of the paper), as plain arrays. The camera poses are held fixed, and so is the oldest object pose, because it has
 // been optimised most often. The frames need not be consecutive: the motion prior is exact for any
 // time step.
 struct ClusterProblem {

@@ -87,8 +87,8 @@ struct WithTurnPrior : Prior {
 };
 using WhiteNoiseOnAcceleration = WithTurnPrior<WhiteNoiseOnTranslation>;
 
-// White-noise-on-acceleration prior between two states dt_s apart (section 3.3 of the paper;
-// METHOD.md 8.2): e = (t+ - t - dt v, v+ - v), ||r||^2 = e^T Qhat^-1 e with
+// White-noise-on-acceleration prior between two states dt_s apart (Eq. 12 of the paper; METHOD.md
+// 8.2): e = (t+ - t - dt v, v+ - v), ||r||^2 = e^T Qhat^-1 e with
 //   r = (displacement (t+ - t) - velocity (v+ + v), change (v+ - v)),
 // so that these factors make up the Jacobians with respect to t, v, t+ and v+.
 struct MotionPriorFactors {

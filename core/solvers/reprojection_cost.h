@@ -26,7 +26,6 @@ struct NoiseOptions {
   double row_field_px = 0.03;
   double huber = 2.796;
   double gate = 7.815;
-  double hypothesis_gate = 4.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -52,14 +51,14 @@ struct NoiseOptions {
                  "disagreement between the quarters of its patch; 0: noise.disparity_px for all",
                  "METHOD.md 7.2: chosen from 3, 5 and 6 on rooms, streets and KITTI"});
     visit.Field("right_mean_px", self.right_mean_px,
-                {"px", 1e-6, 10,
+                {"px", 0, 10,
                  "prior standard deviation of the mean over the image of the calibration error of "
-                 "u_right",
+                 "u_right; 0 trusts the calibration",
                  "METHOD.md 7.6: chosen from 0.02 ... 0.3 on KITTI, streets and rooms"});
     visit.Field("right_field_px", self.right_field_px,
-                {"px", 1e-6, 10,
+                {"px", 0, 10,
                  "prior standard deviation of each other coefficient of the calibration error of "
-                 "u_right",
+                 "u_right; 0 for one constant over the image",
                  "METHOD.md 7.6: KITTI's are 0.05-1 px"});
     visit.Field(
         "row_field_px", self.row_field_px,
@@ -75,11 +74,6 @@ struct NoiseOptions {
                  "maximum squared whitened error of an inlier: 95 % quantile of chi^2 with 3 "
                  "degrees of freedom",
                  "METHOD.md 3.2"});
-    visit.Field("hypothesis_gate", self.hypothesis_gate,
-                {"1", 1, 1000,
-                 "factor on the gate when counting inliers of a RANSAC hypothesis: a minimal "
-                 "sample carries the noise of its three points",
-                 "two standard deviations of the sample for one of the measurement"});
   }
 };
 

@@ -15,8 +15,8 @@ namespace cvo {
 // Prior knowledge of the window, apart from its observations: what marginalised variables said of
 // the frames they were connected to, and how far the calibration is trusted. Its energy is
 // 1/2 ||r0 + J0 dx||^2, where dx stacks world_from_camera [-] linearization_point of all frames,
-// then right_field_px - right_field_point_px (the last term of the paper's static energy; one joint
-// term, METHOD.md 7.3).
+// then right_field_px - right_field_point_px (the last term of Eq. 10 of the paper, as one joint term:
+// METHOD.md 7.3).
 struct WindowPrior {
   std::vector<FrameId> frames;  // ascending
   std::vector<RigidTransform> linearization_point;
@@ -37,7 +37,7 @@ struct ReprojectionFactor {
   Eigen::Matrix3d sqrt_information = Eigen::Matrix3d::Identity();
 };
 
-// The static energy of section 3.3 of the paper over the frames and points of the window, as plain
+// The static energy (Eq. 10 of the paper) over the frames and points of the window, as plain
 // arrays. `frames` must contain all frames of the prior.
 struct WindowProblem {
   StereoCamera camera;  // its right_field_px is a variable
@@ -52,7 +52,6 @@ struct WindowProblem {
 
 struct SolverOptions {
   int iterations = 4;
-  int cluster_rounds = 3;
   double function_tolerance = 1e-2;
   int max_points = 4000;
 
@@ -60,11 +59,6 @@ struct SolverOptions {
   static void VisitFields(Self& self, Visitor& visit) {
     visit.Field("iterations", self.iterations,
                 {"1", 1, 100, "Levenberg-Marquardt steps per frame", "METHOD.md 7.5"});
-    visit.Field("cluster_rounds", self.cluster_rounds,
-                {"1", 1, 100,
-                 "maximum solves of a cluster per frame; outliers are removed after each, and it "
-                 "is solved again while new ones are found",
-                 "matches of a body that leaves the image are worst in its last frame"});
     visit.Field("function_tolerance", self.function_tolerance,
                 {"1", 0, 1, "stop when a step lowers the energy by less than this fraction",
                  "measured: KITTI accuracy as at 1e-4 with 0.8 of the time, one step per frame"});

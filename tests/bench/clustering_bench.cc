@@ -86,7 +86,7 @@ CrfNode RandomNode(Rng& rng) {
   node.z_px = {u, rng.Uniform(0, 374), u - rng.Uniform(5, 60)};
   node.p_in_camera = *kCamera.BackProject(node.z_px);
   node.covariance_m2 = kCamera.PointCovariance(node.z_px, covariance_px2);
-  node.past = CrfNode::Past{.frame = 0, .z_px = node.z_px, .covariance_px2 = covariance_px2};
+  node.past = CrfNode::Past{.z_px = node.z_px, .covariance_px2 = covariance_px2};
   return node;
 }
 

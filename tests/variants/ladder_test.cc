@@ -38,7 +38,7 @@ TEST(Ladder, AllRungsTogetherEqualFull) {
 
 template <std::size_t kRung>
 void ExpectThatItChangesSomething() {
-  SCOPED_TRACE(Without<kRung>::kName);
+  SCOPED_TRACE(Without<kRung>::Name());
   const bool changes_axes = CountDifferences<Without<kRung>, Full>() > 0;
   EXPECT_TRUE(changes_axes || Values(DefaultsOf<Without<kRung>>()) != Values(Options()));
 }
@@ -51,10 +51,11 @@ TEST(Ladder, RemovingAnyRungChangesFull) {
 }
 
 TEST(Ladder, NamesDeriveFromTheRungs) {
-  EXPECT_EQ(UpTo<0>::kName, "clustervo_to_box_weights");
-  EXPECT_EQ(Without<0>::kName, "no_box_weights");
-  EXPECT_EQ(FindVariant("no_turn_prior").changes,
-            "full without this addition: a motion prior on orientations");
+  EXPECT_EQ(UpTo<0>::Name(), "paper_to_boxes");
+  EXPECT_EQ(Without<0>::Name(), "no_boxes");
+  EXPECT_EQ(FindVariant("no_left_image").changes,
+            "full without this addition: landmarks of bodies are also found if only the left image "
+            "shows them");
 }
 
 TEST(Registry, NamesAreUnique) {
@@ -70,7 +71,7 @@ TEST(Registry, DefaultOptionsOfEveryVariantAreInRange) {
     EXPECT_NO_THROW(variant.defaults().Check()) << variant.name;
   }
   EXPECT_EQ(Values(FindVariant("full").defaults()), Values(Options()));
-  EXPECT_EQ(FindVariant("clustervo").defaults().association.gamma, 4.0);
+  EXPECT_EQ(FindVariant("paper").defaults().association.gamma, 4.0);
 }
 
 }  // namespace

@@ -17,6 +17,9 @@ namespace cvo {
 
 namespace {
 
+// Side of a detection cell; smaller spreads corners more evenly (METHOD.md 2.1).
+constexpr int kCell_px = 30;
+
 constexpr int kRowAlignment = 64;  // bytes: a cache line
 
 std::vector<cv::Mat> Allocate(const std::vector<cv::Size>& sizes, int padding_px) {
@@ -210,7 +213,7 @@ LevelCorners FindLevelCorners(const cv::Mat& scores, const OrbOptions& options, 
   LevelCorners level;
   level.corners =
       FindMaxima(scores, for_regions ? kRegionBorder_px : kBorder_px, options.fast_threshold_min);
-  const CornerRule rule{kBorder_px, options.cell_px, options.fast_threshold};
+  const CornerRule rule{kBorder_px, kCell_px, options.fast_threshold};
   for (const bool follows : FollowRule(level.corners, scores.size(), rule)) {
     level.uses.push_back(follows ? Use::kFree : Use::kForRegions);
   }

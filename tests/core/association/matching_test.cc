@@ -230,11 +230,11 @@ TEST(ProbabilisticAssociation, GateIsAnEllipsoidInAllThreeCoordinates) {
     scene.Add(Eigen::Matrix3d::Zero(), covariance, innovation, rng);
     return !Find<ProbabilisticAssociation>(scene).empty();
   };
-  EXPECT_TRUE(is_found({5.0, 0.0, 5.0}));    // 25 / 3.95 = 6.3
-  EXPECT_FALSE(is_found({6.0, 0.0, 6.0}));   // 36 / 3.95 = 9.1
+  EXPECT_TRUE(is_found({3.9, 0.0, 3.9}));    // 15.2 / 3.95 = 3.9
+  EXPECT_FALSE(is_found({4.1, 0.0, 4.1}));   // 16.8 / 3.95 = 4.3
   EXPECT_FALSE(is_found({1.0, 0.0, -1.0}));  // 2 / 0.1 = 20
-  EXPECT_TRUE(is_found({0.0, 2.7, 0.0}));    // 7.29
-  EXPECT_FALSE(is_found({0.0, 2.9, 0.0}));   // 8.41
+  EXPECT_TRUE(is_found({0.0, 1.9, 0.0}));    // 3.61
+  EXPECT_FALSE(is_found({0.0, 2.1, 0.0}));   // 4.41
 }
 
 TEST(ProbabilisticAssociation, IgnoresLandmarksWithDegenerateCovariance) {
@@ -252,7 +252,7 @@ TEST(ProbabilisticAssociation, ChoosesByDescriptorWithinTheGate) {
   Rng rng(6, "gate");
   Scene scene;
   const Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
-  scene.Add(covariance, covariance, {2.0, 0.0, 2.0}, rng);
+  scene.Add(covariance, covariance, {1.0, 0.0, 1.0}, rng);
   // A feature of another point is nearer, but its descriptor differs by 20 bits.
   StereoFeature nearer = scene.features[0];
   nearer.z_px = scene.landmarks[0].zeta_px;
@@ -326,7 +326,7 @@ TYPED_TEST(EveryAssociation, FindsNothingWithoutLandmarksOrFeatures) {
 
 TEST(FixedRadiusAssociation, IgnoresCovariances) {
   Rng rng(11, "gate");
-  const double radius = ClusterAssociationOptions().fixed_radius_px;
+  const double radius = 20.0;
   for (const double size : {1e-12, 1.0, 1e9}) {
     const Eigen::Matrix3d covariance = size * Eigen::Matrix3d::Identity();
     Scene scene;

@@ -58,18 +58,12 @@ TEST(GroundDirection, IsTheCamerasIfNoFloorIsVisible) {
 }
 
 const Vector3d kDown = Vector3d::UnitY();
-const Vector3d kCar_m = BodyBoxOptions().SizeOf("Car");
-
-BoxSceneOptions OptionsOfBoxes() {
-  BoxSceneOptions options;
-  options.place.disparity_px = NoiseOptions().disparity_px;
-  return options;
-}
+const Vector3d kCar_m = SizeOfClass("Car");
 
 // A car, or a body of another class, of the size of its class. Provides its detection and points on
 // the faces visible to a camera at the origin that looks along z.
 struct SeenCar {
-  BoxSceneOptions options = OptionsOfBoxes();
+  BoxSceneOptions options;
   Vector3d size_m;
   StereoFrame frame;
   FeatureGrid grid{{}, test::kCamera};
@@ -77,7 +71,7 @@ struct SeenCar {
   BodyBoxes boxes;
   RigidTransform world_from_car;  // x forward, y down, origin at the centre
 
-  explicit SeenCar(const std::string& category = "Car") : size_m(options.boxes.SizeOf(category)) {
+  explicit SeenCar(const std::string& category = "Car") : size_m(SizeOfClass(category)) {
     Cluster cluster;
     cluster.id = ClusterId{1};
     cluster.category = category;
@@ -165,24 +159,7 @@ TEST(BodyBoxes, BodiesOfKittiClassesHaveTheSizeOfTheirClass) {
     EXPECT_EQ(report.box.size_m, body.size_m);
     EXPECT_LT((Center(report) - Vector3d(3.0, 1.0, 16.0)).norm(), 0.4) << category;
   }
-  EXPECT_TRUE(BodyBoxOptions().SizeOf("Chair").isZero());
-}
-
-TEST(BodyBoxes, SizesOfClassesAreOptions) {
-  int sizes = 0;
-  Options options;
-  VisitLeaves(options, [&](const std::string& path, auto& value, const FieldInfo& info) {
-    if (!path.starts_with("boxes.") || !path.ends_with("_m")) return;
-    ++sizes;
-    EXPECT_STRNE(info.source, "") << path;
-    value = 0;
-  });
-  EXPECT_EQ(sizes, 21);
-  for (const char* category :
-       {"Car", "Van", "Truck", "Tram", "Pedestrian", "Person_sitting", "Cyclist"}) {
-    EXPECT_GT(BodyBoxOptions().SizeOf(category).minCoeff(), 0.0) << category;
-    EXPECT_TRUE(options.boxes.SizeOf(category).isZero()) << category;
-  }
+  EXPECT_TRUE(SizeOfClass("Chair").isZero());
 }
 
 TEST(BodyBoxes, TruncatedBoxesArePlacedByTheirVisibleEdge) {
@@ -285,31 +262,31 @@ Eigen::Matrix3Xd Table(double yaw_rad) {
 
 TEST(BodyFootprint, AlignsWithTheSideNearestToTheHeading) {
   for (const double yaw_rad : {0.0, 0.3, -0.5}) {
-    const Eigen::Matrix3d axes = FootprintAxes(Table(yaw_rad), Vector3d::UnitX(), kDown, {});
+    const Eigen::Matrix3d axes = FootprintAxes(Table(yaw_rad), Vector3d::UnitX(), kDown);
     const Vector3d side(std::cos(yaw_rad), 0.0, -std::sin(yaw_rad));
     EXPECT_GT(axes.col(0).dot(side), std::cos(0.06)) << yaw_rad;  // half a step
     EXPECT_EQ(Vector3d(axes.col(1)), kDown);
-    const Eigen::Matrix3d turned = FootprintAxes(Table(yaw_rad), Vector3d::UnitZ(), kDown, {});
+    const Eigen::Matrix3d turned = FootprintAxes(Table(yaw_rad), Vector3d::UnitZ(), kDown);
     EXPECT_LT(std::abs(turned.col(0).dot(side)), std::sin(0.06)) << yaw_rad;
   }
 }
 
 TEST(BodyFootprint, UsesTheHeadingIfThereAreFewPoints) {
   const Eigen::Matrix3Xd few = Table(0.4).leftCols(10);
-  EXPECT_EQ(FootprintAxes(few, Vector3d::UnitX(), kDown, {}), BoxAxes(Vector3d::UnitX(), kDown));
+  EXPECT_EQ(FootprintAxes(few, Vector3d::UnitX(), kDown), BoxAxes(Vector3d::UnitX(), kDown));
 }
 
 TEST(BodyFootprint, SidesReachToTheOutermostInliers) {
   Eigen::Matrix3Xd points = Table(0.0);
   points.col(7).setConstant(30.0);
-  const LandmarkSides sides = SidesAlong(BoxAxes(Vector3d::UnitX(), kDown), points, {}, {});
+  const LandmarkSides sides = SidesAlong(BoxAxes(Vector3d::UnitX(), kDown), points, {});
   EXPECT_LT((sides.size_m - Vector3d(1.2, 0.7, 0.5)).cwiseAbs().maxCoeff(), 0.05);
 }
 
 TEST(BodyFootprint, ImagesCorrectTheSizeFromLandmarks) {
   const Vector3d told(2.0, 0.6, 0.4);
-  EXPECT_EQ(WithPictures(told, {}, {}), told);
-  const Vector3d sides = WithPictures(told, {.height_m = 0.8, .square_m = 1.0}, {});
+  EXPECT_EQ(WithPictures(told, {}), told);
+  const Vector3d sides = WithPictures(told, {.height_m = 0.8, .square_m = 1.0});
   EXPECT_LT((sides - Vector3d(1.2, 0.8, 1.0 / 1.2)).norm(), 1e-12);
 }
 

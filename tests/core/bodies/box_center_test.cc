@@ -108,7 +108,7 @@ struct SeenBall {
     ViewedSides viewed;
     const FeatureGrid grid(frame.features, camera);
     const FrameView view{frame, UseDetections::Show(frame), grid, camera, RigidTransform()};
-    AddPicture(view, 2.0, 0, shape, center, viewed);
+    AddPicture(view, 0, shape, center, viewed);
     return viewed;
   }
   BoxCenter From(const RigidTransform& world_from_camera) {
@@ -122,7 +122,7 @@ struct SeenBall {
     const Vector3d surface = c / c.z() * surface_m + Vector3d(0.15, 0.0, 0.0);
     const FeatureGrid grid(frame.features, camera);
     const FrameView view{frame, UseDetections::Show(frame), grid, camera, world_from_camera};
-    return CenterFromBox(view, {}, ClusterOptions().birth_depth, 0, world_from_camera * surface);
+    return CenterFromBox(view, ClusterOptions().birth_depth, 0, world_from_camera * surface);
   }
 };
 

@@ -153,8 +153,6 @@ TEST(DepthModes, WideBodiesMayBeDeep) {
 TEST(DepthModes, IsEmptyWithTooFewPoints) {
   EXPECT_THAT(Nearest({}, kCarAngle, {}), IsEmpty());
   EXPECT_THAT(Nearest(Spread(19, 21, 4), kCarAngle, {}), IsEmpty());
-  EXPECT_THAT(Nearest(Spread(19, 21, 4), kCarAngle, ExtentOptions{.mode_min_points = 4}),
-              ElementsAre(0, 1, 2, 3));
   // Scattered points do not form a body.
   EXPECT_THAT(Nearest({1, 2, 4, 8, 16, 32, 64}, kCarAngle, {}), IsEmpty());
 }

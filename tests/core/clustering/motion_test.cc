@@ -20,7 +20,6 @@ using test::NodeAt;
 constexpr Eigen::Index kStaticLabel = 0;
 constexpr Eigen::Index kBodyLabel = 1;
 constexpr Eigen::Index kNewBoxLabel = 2;
-constexpr Eigen::Index kOutlierLabel = 3;
 
 RigidTransform Shift(double x, double y, double z) {
   return RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, y, z));
@@ -59,7 +58,6 @@ CrfNode Measure(const Eigen::Vector3d& p_in_camera, const RigidTransform& past_f
   node.p_in_camera = *kSceneCamera.BackProject(node.z_px);
   node.covariance_m2 = kSceneCamera.PointCovariance(node.z_px, covariance_px2);
   node.past = CrfNode::Past{
-      .frame = 0,
       .z_px = WithNoise(*kSceneCamera.Project(past_from_now * p_in_camera), covariance_px2, rng),
       .covariance_px2 = covariance_px2};
   return node;
@@ -75,8 +73,8 @@ EnergyMatrix RawEnergies(const CrfScene& scene, const UnaryOptions& options = {}
 
 CrfNode NodeWithPast(const Eigen::Vector3d& p_in_camera, const Eigen::Vector3d& p_in_past) {
   CrfNode node = NodeAt(p_in_camera);
-  node.past = CrfNode::Past{
-      .frame = 0, .z_px = *kSceneCamera.Project(p_in_past), .covariance_px2 = PixelCovariance()};
+  node.past =
+      CrfNode::Past{.z_px = *kSceneCamera.Project(p_in_past), .covariance_px2 = PixelCovariance()};
   return node;
 }
 
@@ -103,7 +101,6 @@ TEST(MotionTerm, PrefersTheEstimatedToTheTriangulatedPosition) {
   EXPECT_GT(RawEnergies<MotionTerm>(scene)(0, kStaticLabel), 1.0);
   scene.nodes[0].estimate = CrfNode::Place{Eigen::Vector3d(1, 0, 10)};
   EXPECT_NEAR(RawEnergies<MotionTerm>(scene)(0, kStaticLabel), 0.0, 1e-9);
-  EXPECT_NEAR(RawEnergies<MotionTermLiteral>(scene)(0, kStaticLabel), 0.0, 1e-9);
 }
 
 TEST(MotionTerm, TheTrueLabelCostsOneAndAHalfNatsOnAverage) {
@@ -145,40 +142,21 @@ TEST(MotionTerm, DoesNotTakeDistantStaticPointsForMoving) {
   EXPECT_LT(energies.col(kStaticLabel).mean(), 2.0);
   const auto outliers = (energies.col(kStaticLabel).array() > 4.5).count();
   EXPECT_LT(outliers, 50);
-  // The formula as printed takes them for moving points.
-  EXPECT_GT(RawEnergies<MotionTermLiteral>(scene).col(kStaticLabel).mean(), 4.0);
 }
 
 TEST(MotionTerm, IsZeroForLandmarksWithoutAPast) {
   CrfScene scene = MotionScene(RigidTransform(), Shift(1, 0, 0));
   scene.nodes = {NodeAt({0, 0, 10})};
   EXPECT_TRUE(RawEnergies<MotionTerm>(scene).isZero(0.0));
-  EXPECT_TRUE(RawEnergies<MotionTermLiteral>(scene).isZero(0.0));
 }
 
 TEST(MotionTerm, IsNeutralForLabelsOfUnknownMotion) {
   CrfScene scene = MotionScene(RigidTransform(), Shift(1, 0, 0));
-  scene.labels[kBodyLabel].past_from_now = {std::nullopt};
+  scene.labels[kBodyLabel].past_from_now = std::nullopt;
   scene.labels[kNewBoxLabel].past_from_now = {RigidTransform()};
   scene.nodes = {NodeWithPast({0, 0, 10}, {0, 0, 10})};
   EXPECT_EQ(Eigen::RowVectorXd(RawEnergies<MotionTerm>(scene).row(0)),
             Eigen::RowVector4d(0.0, 1.5, 1.5, 4.5));
-  scene.labels[kBodyLabel].past_from_now.clear();
-  EXPECT_EQ(RawEnergies<MotionTerm>(scene)(0, kBodyLabel), 1.5);
-}
-
-TEST(MotionTermLiteral, MatchesThePrintedFormula) {
-  CrfScene scene = MotionScene(RigidTransform(), Shift(0, 0, -11));
-  scene.nodes = {NodeWithPast({0, 0, 10}, {0, 0, 10})};
-  const Eigen::Vector3d e(1.0, -2.0, 1.4);
-  scene.nodes[0].past->z_px += e;
-  const EnergyMatrix energies = RawEnergies<MotionTermLiteral>(scene);
-  const Eigen::Matrix3d covariance = PixelCovariance();
-  const double p = std::exp(-e.dot(covariance.inverse() * e)) / std::sqrt(covariance.determinant());
-  EXPECT_NEAR(energies(0, kStaticLabel), -std::log(p), 1e-9);
-  EXPECT_TRUE(std::isinf(energies(0, kBodyLabel)));  // behind the camera
-  EXPECT_EQ(energies(0, kNewBoxLabel), 0.0);
-  EXPECT_EQ(energies(0, kOutlierLabel), 0.0);
 }
 
 constexpr Eigen::Index kCarLabel = 1;
@@ -192,8 +170,7 @@ CrfNode Seen(const Eigen::Vector3d& p_in_camera, const RigidTransform& past_from
   node.z_px = with_noise(*kSceneCamera.Project(p_in_camera));
   node.p_in_camera = *kSceneCamera.BackProject(node.z_px);
   node.covariance_m2 = kSceneCamera.PointCovariance(node.z_px, covariance_px2);
-  node.past = CrfNode::Past{.frame = 0,
-                            .z_px = with_noise(*kSceneCamera.Project(past_from_now * p_in_camera)),
+  node.past = CrfNode::Past{.z_px = with_noise(*kSceneCamera.Project(past_from_now * p_in_camera)),
                             .covariance_px2 = covariance_px2};
   return node;
 }
@@ -237,9 +214,9 @@ struct Counts {
 };
 
 template <typename Affinity, typename Motion>
-Counts CountCar(const UnaryOptions& options = {.box_foot = 0.0}) {
+Counts CountCar() {
   const CrfScene scene = CarScene();
-  const EnergyMatrix total = ComputeUnaries<Box2dTerm, Affinity, Motion>(scene, options).total;
+  const EnergyMatrix total = ComputeUnaries<Box2dTerm, Affinity, Motion>(scene, {}).total;
   Counts counts;
   for (Eigen::Index i = 0; i < total.rows(); ++i) {
     Eigen::Index label = 0;
@@ -263,13 +240,6 @@ TEST(UnaryTerms, EachAddsInformationThatTheOthersLack) {
   EXPECT_LE(all.background_as_car, 2);
   EXPECT_LE(all.road_as_car, 1);
   EXPECT_GE(all.car_as_car, 55);
-}
-
-// The foot of the box also prunes the road, for bodies observed too briefly to show their motion.
-TEST(UnaryTerms, BoxFootPrunesTheRoadWithoutMotion) {
-  const Counts counts = CountCar<AffinityTerm, NoMotionTerm>(UnaryOptions{});
-  EXPECT_LE(counts.road_as_car, 5);
-  EXPECT_GE(counts.car_as_car, 50);
 }
 
 // METHOD.md 5.4: the printed 3D term does not add the spread of the body to the noise, and so loses

@@ -107,22 +107,6 @@ TEST(DetectedBox2dTerm, IgnoresPredictionsAndOtherwiseAgreesWithBox2dTerm) {
               Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
 }
 
-TEST(Box2dTerm, IgnoresTheRimOfADetection) {
-  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(104, 150)),
-              Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
-  EXPECT_THAT(
-      Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(104, 150), UnaryOptions{.box_shrink = 0.03}),
-      Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
-}
-
-TEST(Box2dTerm, FootOfADetectionIsSharedWithTheStaticScene) {
-  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 190)),
-              Near({0.475, 0.475, 0.05 / 3, 0.05 / 3, 0.05 / 3}));
-  EXPECT_THAT(
-      Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 190), UnaryOptions{.box_foot = 0.0}),
-      Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
-}
-
 TEST(Box2dTermLiteral, MatchesThePrintedFormula) {
   const CrfScene scene = BoxScene();
   EXPECT_THAT(Probabilities<Box2dTermLiteral>(scene, NodeSeenAt(104, 150)),

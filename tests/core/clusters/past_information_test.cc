@@ -91,14 +91,11 @@ TEST(AbsorbObservations, ErrorsBeyondTheRobustThresholdAreDownweighted) {
   EXPECT_LT(b.landmark().past_information.norm(), 0.5 * a.landmark().past_information.norm());
 }
 
-TEST(PastPolicies, LeavingObservationsAreKeptOrForgotten) {
-  Absorption kept;
-  KeepPastInformation::Leave(kept.window, kept.leaving, {{}, 1.2}, kept.options, kept.cluster);
-  EXPECT_FALSE(kept.landmark().past_information.isZero());
-  Absorption forgotten;
-  ForgetPast::Leave(forgotten.window, forgotten.leaving, {{}, 1.2}, forgotten.options,
-                    forgotten.cluster);
-  EXPECT_TRUE(forgotten.landmark().past_information.isZero());
+TEST(AbsorbObservations, ForgetsThemIfAskedTo) {
+  Absorption a;
+  a.options.max_past_observations = 0.0;
+  a.Absorb();
+  EXPECT_TRUE(a.landmark().past_information.isZero());
 }
 
 TEST(AbsorbObservations, PastInformationIsBounded) {

@@ -89,13 +89,27 @@ TEST(PromoteDistant, PromotesByRotationDistanceOrOverlap) {
   EXPECT_TRUE(promotes(first, At(0.0))) << "there is none to compare with";
 }
 
-TEST(CalibrationPolicies, EstimateFieldOrShift) {
-  const NoiseOptions noise{.right_mean_px = 0.1, .right_field_px = 0.2};
-  const Vector6d field = EstimateRightField::Deviation(noise);
-  const Vector6d shift = EstimateRightShift::Deviation(noise);
-  EXPECT_EQ(field, (Vector6d() << 0.1, 0.2, 0.2, 0.2, 0.2, 0.2).finished());
-  EXPECT_EQ(shift[0], 0.1);
-  for (int k = 1; k < 6; ++k) EXPECT_DOUBLE_EQ(shift[k], 1e-6) << "a millionth of a pixel";
+TEST(PromoteFarFromFirst, ComparesWithTheFirstFrameAndIgnoresRotation) {
+  Window window = MakeWindow({0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  window.spatial.push_back({FrameId{2}, At(-1.0)});
+  const WindowOptions options = {.promote_translation = 0.25, .promote_common = 0.5};
+  const auto promotes = [&](const RigidTransform& pose) {
+    return PromoteFarFromFirst::Promotes(window, {FrameId{4}, pose}, options);
+  };
+  EXPECT_FALSE(promotes(At(1.5, 0.21)));
+  EXPECT_TRUE(promotes(At(1.6)));
+}
+
+TEST(CalibrationDeviation, CoversFieldShiftOrNothing) {
+  const auto expect = [](NoiseOptions noise, double mean_px, double field_px) {
+    const Vector6d deviation = CalibrationDeviation(noise);
+    EXPECT_EQ(deviation[0], mean_px);
+    EXPECT_EQ(deviation.tail<5>(), Eigen::Matrix<double, 5, 1>::Constant(field_px));
+  };
+  expect({.right_mean_px = 0.1, .right_field_px = 0.2}, 0.1, 0.2);
+  expect({.right_mean_px = 0.1, .right_field_px = 0.0}, 0.1, 1e-3);
+  EXPECT_FALSE(TrustsCalibration({.right_field_px = 0.0}));
+  EXPECT_TRUE(TrustsCalibration({.right_mean_px = 0.0}));
 }
 
 TEST(WindowProblem, ContainsTheFramesAndAddedLandmarks) {

@@ -246,7 +246,7 @@ TEST(SolveWindow, UnobservedFieldKeepsItsPriorDeviation) {
   Rng rng(12, "window");
   WindowProblem problem = MakeProblem(3, 20, 0.1, rng);
   problem.is_right_field_fixed = false;
-  const Vector6d deviation_px = EstimateRightShift::Deviation({.right_mean_px = 0.2});
+  const Vector6d deviation_px = CalibrationDeviation({.right_mean_px = 0.2, .right_field_px = 0.0});
   problem.prior = CalibrationPrior(kCamera, deviation_px);
   const SolverSummary summary = SolveWindow({}, kToConvergence, problem);
   const Vector6d sigma_px = summary.shared_information.inverse().diagonal().cwiseSqrt();

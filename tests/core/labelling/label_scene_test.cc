@@ -21,36 +21,32 @@ using testing::SizeIs;
 
 constexpr ClusterId kNone{};
 
-constexpr LabelSceneSteps kOurSteps = StepsOf<TriangulatedPlace, OldestPastFrame, NearestDepths>();
+constexpr NewBodyRule kNearest = RuleOf<NearestDepths>();
 
-// The scene of a static landmark observed in frames 1 to 3. With past_frames = 4, frame 0 is the
-// exact past frame.
-LabelScene SceneOfThreeFrames(const LabelSceneSteps& steps) {
+// The node of a static landmark observed in frames 1 to 3; the current frame is 4.
+CrfNode NodeOfThreeFrames(int past_frames) {
   Moving m;
   LabelSceneOptions options;
-  options.past_frames = 4;
+  options.unary.past_frames = past_frames;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
   m.window.landmarks[0].p_in_object.z() += 0.5;
   std::erase_if(m.window.landmarks[0].observations,
                 [](const Observation& seen) { return seen.frame == FrameId{0}; });
   m.Add(m.p_in_world, kSceneOwner, 0, kStaticScene);
-  return m.With([&](const FrameView& view) {
-    return BuildLabelScene(view, options, m.window, m.map, m.tracks, m.points, steps);
-  });
+  return m
+      .With([&](const FrameView& view) {
+        return BuildLabelScene(view, options, m.window, m.map, m.tracks, m.points, kNearest);
+      })
+      .crf.nodes.at(0);
 }
 
-TEST(BuildLabelScene, PastIsTheOldestFrameOrTheExactOne) {
-  const auto oldest = SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).past;
-  ASSERT_TRUE(oldest);
-  EXPECT_EQ(oldest->frame, 1);
-  constexpr auto kExact = StepsOf<TriangulatedPlace, ExactPastFrame, NearestDepths>();
-  EXPECT_FALSE(SceneOfThreeFrames(kExact).crf.nodes.at(0).past);
+TEST(BuildLabelScene, PastIsTheExactFrame) {
+  EXPECT_TRUE(NodeOfThreeFrames(3).past);
+  EXPECT_FALSE(NodeOfThreeFrames(4).past);
 }
 
-TEST(BuildLabelScene, LandmarkPositionIsTriangulatedOrEstimated) {
-  EXPECT_FALSE(SceneOfThreeFrames(kOurSteps).crf.nodes.at(0).estimate);
-  constexpr auto kOwn = StepsOf<EstimatedPlace, OldestPastFrame, NearestDepths>();
-  const CrfNode node = SceneOfThreeFrames(kOwn).crf.nodes.at(0);
+TEST(BuildLabelScene, LandmarkPositionIsEstimated) {
+  const CrfNode node = NodeOfThreeFrames(3);
   ASSERT_TRUE(node.estimate);
   EXPECT_NEAR(node.estimate->p_in_camera.z(), node.p_in_camera.z() + 0.5, 1e-9);
   EXPECT_TRUE(node.estimate->covariance_m2.isZero());
@@ -63,7 +59,7 @@ TEST(BuildLabelScene, NonPositiveDisparitiesAreFarAway) {
     m.Add(m.p_in_world, kSceneOwner, 0, kStaticScene);
     m.frame.features[0].z_px[2] = m.frame.features[0].z_px[0] - disparity_px;
     const LabelScene scene = m.With([&](const FrameView& view) {
-      return BuildLabelScene(view, {}, m.window, m.map, m.tracks, m.points, kOurSteps);
+      return BuildLabelScene(view, {}, m.window, m.map, m.tracks, m.points, kNearest);
     });
     const CrfNode& node = scene.crf.nodes.at(0);
     EXPECT_NEAR(node.p_in_camera.z(), 450.0 * 0.3 / 0.1, 1e-6);
@@ -86,7 +82,7 @@ int NewBodiesInside(const std::string& category, double depth_m, double part_sha
   LabelSceneOptions options;
   options.extent.part_share = part_share;
   const LabelScene scene = m.With([&](const FrameView& view) {
-    return BuildLabelScene(view, options, m.window, m.map, m.tracks, m.points, kOurSteps);
+    return BuildLabelScene(view, options, m.window, m.map, m.tracks, m.points, kNearest);
   });
   return scene.Outlier() - 1 - scene.clusters;
 }
@@ -159,38 +155,35 @@ struct TwoBoxes {
   }
 
   // Returns the depth of the new body of each detection; 0 if it has none.
-  std::vector<double> Depths(const NewBodyRule& rule, double min_fill,
-                             const std::vector<char>& is_claimed) const {
+  std::vector<double> Depths(const NewBodyRule& rule, const std::vector<char>& is_claimed) const {
     const FeatureGrid grid(frame.features, test::kCamera);
     const FrameView view{frame, UseDetections::Show(frame), grid, test::kCamera, {}};
-    ExtentOptions extent;
-    extent.mode_min_fill = min_fill;
     std::vector<double> depths_m;
-    for (const auto& body : FindNewBodies(view, {rule, extent, 0.0}, is_claimed, points, nodes)) {
+    for (const auto& body : FindNewBodies(view, {rule, {}}, is_claimed, points, nodes)) {
       depths_m.push_back(body ? body->center_in_camera.z() : 0.0);
     }
     return depths_m;
   }
 };
 
-constexpr NewBodyRule kNearest = RuleOf<NearestDepths>();
 
 TEST(FindNewBodies, OccludingBodyOwnsItsPointsExclusively) {
-  EXPECT_THAT(TwoBoxes().Depths(kNearest, 0.0, {0, 0}), ElementsAre(4.0, 2.0));
+  EXPECT_THAT(TwoBoxes().Depths(kNearest, {0, 0}), ElementsAre(4.0, 2.0));
 }
 
 TEST(FindNewBodies, DepthRangeMustFillTheBox) {
   TwoBoxes boxes;
   boxes.frame.detections.resize(1);
-  EXPECT_THAT(boxes.Depths(kNearest, 0.0, {0}), ElementsAre(2.0));
-  EXPECT_THAT(boxes.Depths(kNearest, 0.9, {0}), ElementsAre(4.0));
+  EXPECT_THAT(boxes.Depths(kNearest, {0}), ElementsAre(2.0));
+  boxes.frame.detections[0].box.right_px = 330.0;  // only a strip of the near body is inside
+  EXPECT_THAT(boxes.Depths(kNearest, {0}), ElementsAre(4.0));
 }
 
 TEST(FindNewBodies, NoneIfAClusterClaimsTheBoxOrOwnsThePoints) {
   TwoBoxes boxes;
-  EXPECT_THAT(boxes.Depths(kNearest, 0.0, {1, 0}), ElementsAre(0.0, 2.0));
+  EXPECT_THAT(boxes.Depths(kNearest, {1, 0}), ElementsAre(0.0, 2.0));
   for (FramePoint& point : boxes.points) point.owner = ClusterOwner(0);
-  EXPECT_THAT(boxes.Depths(kNearest, 0.0, {0, 0}), ElementsAre(0.0, 0.0));
+  EXPECT_THAT(boxes.Depths(kNearest, {0, 0}), ElementsAre(0.0, 0.0));
 }
 
 }  // namespace

@@ -110,8 +110,8 @@ TEST(PredictBack, ExtrapolatesBackwardsFromTheNextTwoStates) {
   cluster.states.insert(cluster.states.begin(), {FrameId{1}, MovingWorld::TimeOf(1), at(9.0), {}});
   const Options options;
   const PredictorAnytime predict = [&](const Cluster& moving, std::int64_t timestamp_ns) {
-    return PredictCluster<WhiteNoiseOnTranslation, ConstantAngularVelocity>(
-        moving, timestamp_ns, options.motion_prior, options.clusters);
+    return PredictCluster<WhiteNoiseOnTranslation, ConstantAngularVelocity>(moving, timestamp_ns,
+                                                                            options.motion_prior);
   };
   KeptFrame kept;
   kept.id = FrameId{3};
