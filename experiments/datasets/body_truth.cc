@@ -271,26 +271,6 @@ bool IsTraffic(const std::string& category) {
   return std::find(kTraffic.begin(), kTraffic.end(), category) != kTraffic.end();
 }
 
-// How the rendered right camera differs from the calibration, as the scene's manifest tells.
-struct RightCameraError {
-  double shift_px = 0.0;                 // of the principal point
-  std::array<double, 3> rotation_deg{};  // about its x, y, z axes
-  double focal = 0.0;                    // relative
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("shift_px", self.shift_px);
-    archive.Field("rotation_deg", self.rotation_deg);
-    archive.Field("focal", self.focal);
-  }
-};
-
-RightCameraError ReadRightCameraError(const std::filesystem::path& manifest) {
-  const Json json = ReadJson(manifest);
-  if (!json.is_object() || !json.contains("rig_error")) return {};
-  return FromJson<RightCameraError>(json.at("rig_error"), manifest.string() + ", rig_error");
-}
-
 // Returns how much further right a far point of the left image is in the right one than in a
 // perfect pair, px.
 double RightShiftOf(const RightCameraError& error, const StereoCamera& camera, double u, double v) {

@@ -97,7 +97,7 @@ std::string LandmarkRows(int frame, const StereoFrame& given,
         Rounded({landmark.energy_2d, landmark.energy_3d, landmark.energy_motion}, kDecimals);
     row.p_in_world = Rounded(landmark.p_in_world, kDecimals);
     const int body = feature_truth.empty() ? -1 : feature_truth[feature].body;
-    if (body >= 0) row.truth_body = body;
+    row.truth_body = body >= 0 ? std::optional(body) : std::nullopt;
     row.second = LabelOf(landmark.second);
     row.second_energies =
         Rounded({landmark.second_2d, landmark.second_3d, landmark.second_motion}, kDecimals);
@@ -165,7 +165,8 @@ void WriteKittiTracks(const RunResult& run, const TextSink& sink) {
         ThrowError("a line of tracks.kitti \"" + line + "\"", "a number that is not finite",
                    "a finite one");
       }
-      line += " " + FormatDouble(number);
+      line += ' ';
+      line += FormatDouble(number);
     }
     sink(line + "\n");
   });

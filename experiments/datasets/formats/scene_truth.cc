@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/files/images/image_file.h"
+#include "core/files/json/json_record.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/image_format.h"
 
@@ -100,5 +101,11 @@ cv::Mat ReadDepth(const fs::path& path, cv::Size size) {
 }
 
 cv::Mat ReadInstances(const fs::path& path, cv::Size size) { return Decode(path, CV_16UC1, size); }
+
+RightCameraError ReadRightCameraError(const std::filesystem::path& manifest) {
+  const Json json = ReadJson(manifest);
+  if (!json.is_object() || !json.contains("rig_error")) return {};
+  return FromJson<RightCameraError>(json.at("rig_error"), manifest.string() + ", rig_error");
+}
 
 }  // namespace cvo
