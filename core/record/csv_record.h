@@ -70,6 +70,9 @@ struct CsvNames {
   }
 };
 
+// GCC 12 takes the values of optional cells for uninitialised after inlining.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 class CsvWriter {
  public:
   std::string line;
@@ -102,6 +105,7 @@ class CsvWriter {
 
   bool begun_ = false;
 };
+#pragma GCC diagnostic pop
 
 class CsvReader {
  public:

@@ -97,7 +97,7 @@ std::string LandmarkRows(int frame, const StereoFrame& given,
         Rounded({landmark.energy_2d, landmark.energy_3d, landmark.energy_motion}, kDecimals);
     row.p_in_world = Rounded(landmark.p_in_world, kDecimals);
     const int body = feature_truth.empty() ? -1 : feature_truth[feature].body;
-    row.truth_body = body >= 0 ? std::optional(body) : std::nullopt;
+    if (body >= 0) row.truth_body = body;
     row.second = LabelOf(landmark.second);
     row.second_energies =
         Rounded({landmark.second_2d, landmark.second_3d, landmark.second_motion}, kDecimals);
