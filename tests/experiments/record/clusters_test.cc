@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
+#include "core/record/csv_rows.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/run_result.h"
 #include "tests/support/collected.h"

@@ -182,18 +182,19 @@ RigidTransform At(double x) {
   return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0.0, 0.0)};
 }
 
-// A truth with body 4, which is that of track 3 and of pixels with u above 50.
-class FakeTruth : public BodyTruthReader {
- public:
-  const ObjectTruth& objects() const override { return truth_; }
-  int BodyOfTrack(int track) const override { return track == 3 ? 4 : -1; }
-  LandmarkTruth Find(int, const Eigen::Vector2d& left_px, const Eigen::Vector3d&) override {
-    return {static_cast<std::int16_t>(left_px.x() > 50 ? 4 : 0), PointMotion::kStill};
-  }
-
- private:
-  ObjectTruth truth_;
-};
+// The truth of two frames with body 4, which is that of track 3 and of pixels with u above 50.
+BodyTruthReader FakeTruth() {
+  ObjectTruth objects;
+  objects.timestamps_ns = {0, 1};
+  objects.world_from_camera = {At(1.0), At(3.0)};
+  TruthBody body;
+  body.id = 4;
+  body.track = 3;
+  body.frames.resize(2, BodyFrame());
+  objects.bodies = {body};
+  return {objects, [](const ObjectTruth&, std::size_t, const Eigen::Vector2d& left_px,
+                      const Eigen::Vector3d&) { return SeenBody{left_px.x() > 50 ? 4 : 0}; }};
+}
 
 Sequence TwoFrames() {
   Sequence sequence;
@@ -242,7 +243,7 @@ TEST(Oracle, ParsesTheNamesOfItsSwitches) {
 }
 
 TEST(Oracle, GivesOnlyWhatIsRequested) {
-  FakeTruth truth;
+  BodyTruthReader truth = FakeTruth();
   const Sequence sequence = TwoFrames();
   StereoFrame frame = FrameWithABox();
   const auto feature_truth = TruthOfFeatures(1, frame.features, sequence.camera, truth);
@@ -264,7 +265,7 @@ TEST(Oracle, GivesOnlyWhatIsRequested) {
 }
 
 TEST(Oracle, ABoxInAFrameWithoutTruthHasNoBody) {
-  FakeTruth truth;
+  BodyTruthReader truth = FakeTruth();
   StereoFrame frame = FrameWithABox();
   Oracle(TwoFrames(), {.boxes = true}, &truth).Give(0, {}, frame);
   EXPECT_THAT(frame.given.detection_body, ElementsAre(BodyId()));
