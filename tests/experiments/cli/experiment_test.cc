@@ -247,7 +247,7 @@ TEST_F(CliExperimentPlan, ListsTheSuitesWithTheirSizes) {
   const ProcessResult list = RunProgram({"list", "suites"});
   EXPECT_EQ(list.exit_code, 0) << list.err;
   EXPECT_THAT(list.out, HasSubstr("oracle_ladder"));
-  EXPECT_THAT(list.out, testing::ContainsRegex("ablation +test +40 +6 +1 +1 +240 "));
+  EXPECT_THAT(list.out, testing::ContainsRegex("ablation +test +40 +10 +1 +1 +400 "));
 }
 
 TEST_F(CliExperimentPlan, ListsJobsAndMissingSequences) {

@@ -157,14 +157,12 @@ TEST(CliTables, ConflictingFlagsAreAnError) {
   const std::string folder = suite.Written().string();
   const Arguments compare = {"experiment", "compare", folder, folder};
   const std::vector<std::pair<Arguments, std::string>> cases = {
-      {{"experiment", "table", folder, "--format", "latex", "--long"}, "--long: requires --format"},
       {{"experiment", "table", folder, "--format", "pdf"}, "pdf"},
       {{"experiment", "table", folder, "--from", "table.json"}, "DIR excludes --from"},
       {{"experiment", "table"}, "DIR or --from is required"},
       {{"experiment", "table", folder, "--times", "--format", "csv"},
        "--format: does not apply with --times"},
-      {test::With(compare, {folder}), "DIR: found 3 suites, expected 2"},
-      {test::With(compare, {"--json"}), "--json: applies to runs, found suites"}};
+      {test::With(compare, {folder}), "DIR: found 3 suites, expected 2"}};
   for (const auto& [arguments, message] : cases) ExpectError(RunProgram(arguments), message, 2);
 }
 
@@ -197,7 +195,7 @@ TEST(CliCompare, PrintsRunsAsATableWithTheFirstAsReference) {
   const auto text = RunProgram({"experiment", "compare", a, b});
   ASSERT_EQ(text.exit_code, 0) << text.err;
   EXPECT_THAT(text.out, AllOf(HasSubstr("Runs on room\n"), HasSubstr("difference from static"),
-                              HasSubstr("-0.0100\n"), HasSubstr("-25.0%\n")));
+                              HasSubstr("-0.0100 "), HasSubstr("-25.0% ")));
   EXPECT_THAT(RunProgram({"experiment", "compare", b, a}).out, HasSubstr("difference from full"));
   EXPECT_THAT(RunProgram({"experiment", "compare", a, b, "--format", "csv"}).out,
               HasSubstr("\r\nfull,"));
