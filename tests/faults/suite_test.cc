@@ -138,8 +138,8 @@ TEST_F(SuiteFaults, OddValues) {
       }};
   for (std::size_t i = 0; i < edits.size(); ++i) {
     Edit(At("out/table.json"), [&](Json& json) {
-      for (Json& cell : json["rows"][0]["cells"]) {
-        if (cell["metric"] == "camera_ate") edits[i](cell);
+      for (std::size_t j = 0; j < json["columns"].size(); ++j) {
+        if (json["columns"][j]["metric"] == "camera_ate") edits[i](json["rows"][0]["cells"][j]);
       }
     });
     ExpectOneLine({"experiment", "table", "--from", At("out/table.json")}, 1, "camera_ate");
