@@ -32,7 +32,7 @@ struct ExtentOptions {
   // furniture before walls, 12 to 60 points).
   static constexpr double kModeValley = 0.2;
   // Width of the kernel that smooths the logarithms of depths: bodies are about as deep as they
-  // are wide (simulated, as mode_valley).
+  // are wide (simulated, as kModeValley).
   static constexpr double kModeWidth = 0.35;
   // Minimum width of the kernel that smooths depths (two deviations of a depth at 30 m: 0.3 px of
   // 13 px of disparity).

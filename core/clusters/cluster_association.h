@@ -44,11 +44,7 @@ struct RematchInBox : ReleaseUnseen {
 };
 // Policy: the same, but a cluster that was not found in its box keeps it and gets new landmarks
 // there, at its predicted pose (the relaunch of the paper's section 4.2).
-struct RematchAndRelaunch {
-  static void Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
-                      TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
-    RematchInBox::Rematch(search, map, rng, taken, tracks);
-  }
+struct RematchAndRelaunch : RematchInBox {
   static void Conclude(std::vector<ClusterTrack>& tracks);
 };
 // Policy: no matching without a prediction.

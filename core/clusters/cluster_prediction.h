@@ -50,14 +50,6 @@ PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_n
 // Predicts any cluster at one fixed time.
 using ClusterPredictor = std::function<PredictedCluster(const Cluster&)>;
 
-// Returns a predictor for timestamp_ns. `motion` must outlive it.
-template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
-ClusterPredictor PredictorAt(std::int64_t timestamp_ns, const MotionPriorOptions& motion) {
-  return [timestamp_ns, &motion](const Cluster& cluster) {
-    return PredictCluster<MotionPrior, Rotation>(cluster, timestamp_ns, motion);
-  };
-}
-
 // Predicts how the current camera sees a landmark of the cluster. Empty if the landmark is behind
 // the camera or outside the image.
 std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,

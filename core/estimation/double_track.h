@@ -94,6 +94,9 @@ struct PromoteNever {
   static bool Promotes(const Window&, const WindowFrame&, const WindowOptions&) { return false; }
 };
 
+template <typename Policy>
+concept FramePolicy = MarginalizationPolicy<Policy> && PromotionPolicy<Policy>;
+
 // Policies for frames that leave the windows: the paper's; ours; without marginalisation; without
 // T_s.
 struct PrintedFrames : MarginalizeUnseenByNewest, PromoteFarFromFirst {};
@@ -127,9 +130,9 @@ void MarginalizeFrame(FrameId frame, const std::vector<LandmarkId>& landmarks,
                       const FeatureNoise& noise, Window& window);
 
 // Appends `frame` to T_t. If T_t is then too long, its oldest frame is promoted to T_s or
-// discarded; if T_s is then too long, its oldest frame leaves the window as MarginalizationRule
+// discarded; if T_s is then too long, its oldest frame leaves the window as Frames
 // says (section 3.3 of the paper, "Double-Track Frame Management").
-template <MarginalizationPolicy MarginalizationRule, PromotionPolicy SpatialTrack>
+template <FramePolicy Frames>
 class DoubleTrack {
  public:
   DoubleTrack(const WindowOptions& options, const FeatureNoise& noise)
@@ -139,7 +142,7 @@ class DoubleTrack {
     window.temporal.push_back(frame);
     if (static_cast<int>(window.temporal.size()) <= options_.temporal) return;
     const WindowFrame tail = window.temporal.front();
-    if (SpatialTrack::Promotes(window, tail, options_)) {
+    if (Frames::Promotes(window, tail, options_)) {
       window.temporal.erase(window.temporal.begin());
       window.spatial.push_back(tail);
       if (static_cast<int>(window.spatial.size()) > options_.spatial) {
@@ -167,11 +170,11 @@ class DoubleTrack {
     std::vector<LandmarkId> marginalized;
     for (const Landmark& landmark : window.landmarks) {
       if (landmark.observations.size() >= 2 && FindObservation(landmark, leaving) &&
-          MarginalizationRule::Marginalizes(landmark, newest)) {
+          Frames::Marginalizes(landmark, newest)) {
         marginalized.push_back(landmark.id);
       }
     }
-    if constexpr (MarginalizationRule::kKeepsPrior) {
+    if constexpr (Frames::kKeepsPrior) {
       MarginalizeFrame(leaving, marginalized, noise_, window);
     }
     std::erase_if(window.landmarks, [&](const Landmark& landmark) {

@@ -101,8 +101,9 @@ struct NewBodyStep {
 
 // Returns for each detection the extent of the body in it, from those of its points that belong to
 // no cluster (METHOD.md 6.2). The body is the first candidate that is spread over enough of the box
-// (extent.mode_min_fill). If boxes share points, the box that they fill best gets them. Empty for
-// detections that a cluster claims or that have no candidate. `nodes` has one entry per point.
+// (ExtentOptions::kModeMinFill). If boxes share points, the box that they fill best gets them.
+// Empty for detections that a cluster claims or that have no candidate. `nodes` has one entry per
+// point.
 std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view,
                                                            const NewBodyStep& step,
                                                            const std::vector<char>& is_claimed,

@@ -21,8 +21,6 @@ namespace cvo {
 
 template <typename Policy>
 concept NewBodyAndOriginPolicy = NewBodyPolicy<Policy> && BirthOriginPolicy<Policy>;
-template <typename Policy>
-concept FramePolicy = MarginalizationPolicy<Policy> && PromotionPolicy<Policy>;
 
 // The axes along which variants differ, with the concept that each one requires of its policy. Two
 // variants with the same axes are the same type of estimator, whatever their options.

@@ -206,8 +206,9 @@ class VisualOdometry final : public Odometry {
 
   // Predicts clusters at the time of the current frame.
   ClusterPredictor PredictorOfClusters() const {
-    return PredictorAt<typename Variant::BodyMotion, typename Variant::BodyMotion>(
-        timestamp_ns_, options_.motion_prior);
+    return [predict = PredictorAnytimeOf(), now_ns = timestamp_ns_](const Cluster& cluster) {
+      return predict(cluster, now_ns);
+    };
   }
 
   // A frame with enough features starts the map if it is the first one or follows at least
@@ -326,7 +327,7 @@ class VisualOdometry final : public Odometry {
   Rng rng_;
   Rng cluster_rng_;
   GroundDirection ground_;
-  DoubleTrack<typename Variant::Frames, typename Variant::Frames> double_track_;
+  DoubleTrack<typename Variant::Frames> double_track_;
 
   RowField rows_;  // of the rig
   Window window_;

@@ -72,10 +72,6 @@ struct CalibrationState {
   std::array<double, 6> right_field_px{};
   std::array<double, 6> sigma_px{};
 
-  // Over the image.
-  double Mean_px() const { return right_field_px[0]; }
-  double MeanSigma_px() const { return sigma_px[0]; }
-
   CVO_FIELDS(right_field_px, sigma_px);
 };
 

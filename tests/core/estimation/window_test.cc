@@ -326,7 +326,7 @@ TEST(DoubleTrack, MarginalisesLandmarksNotSeenInTheNewestFrame) {
     (i < 2 ? window.spatial : window.temporal).push_back(frame);
   }
   const WindowOptions options = {.spatial = 2, .temporal = 3};
-  const DoubleTrack<MarginalizeUnseenByNewest, PromoteDistant> track(options, {{}, 1.2});
+  const DoubleTrack<DoubleTrackFrames> track(options, {{}, 1.2});
   track.Advance({FrameId{20}, CameraAt(20)}, window);
 
   ASSERT_EQ(window.spatial.size(), 2u);
