@@ -99,7 +99,8 @@ struct ClusterOptions {
                  "paper, section 4.1: L = |T_t|"});
     visit.Field("archived", self.archived,
                 {"clusters", 0, 1000,
-                 "maximum number of archived clusters whose identity a new one may take over, most recent first",
+                 "maximum number of archived clusters whose identity a new one may take over, most "
+                 "recent first",
                  "bounds time and memory"});
     visit.Field("max_landmarks", self.max_landmarks,
                 {"landmarks", 10, 100000,

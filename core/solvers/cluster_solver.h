@@ -19,9 +19,9 @@ struct PointPrior {
   Eigen::Matrix3d sqrt_information = Eigen::Matrix3d::Zero();  // zero: no information
 };
 
-// The energy of one cluster over its frames in T_t (Eq. 13 of the paper), as plain arrays. The camera poses are held fixed, and so is the oldest object pose, because it has
-// been optimised most often. The frames need not be consecutive: the motion prior is exact for any
-// time step.
+// The energy of one cluster over its frames in T_t (Eq. 13 of the paper), as plain arrays. The
+// camera poses are held fixed, and so is the oldest object pose, because it has been optimised most
+// often. The frames need not be consecutive: the motion prior is exact for any time step.
 struct ClusterProblem {
   StereoCamera camera;
   std::vector<RigidTransform> world_from_camera;  // per frame, oldest first

@@ -15,8 +15,8 @@ namespace cvo {
 // Prior knowledge of the window, apart from its observations: what marginalised variables said of
 // the frames they were connected to, and how far the calibration is trusted. Its energy is
 // 1/2 ||r0 + J0 dx||^2, where dx stacks world_from_camera [-] linearization_point of all frames,
-// then right_field_px - right_field_point_px (the last term of Eq. 10 of the paper, as one joint term:
-// METHOD.md 7.3).
+// then right_field_px - right_field_point_px (the last term of Eq. 10 of the paper, as one joint
+// term: METHOD.md 7.3).
 struct WindowPrior {
   std::vector<FrameId> frames;  // ascending
   std::vector<RigidTransform> linearization_point;

@@ -137,7 +137,6 @@ struct JobCounts {
   std::size_t not_run = 0;
   std::size_t no_data = 0;  // the sequence is not on this machine
 
-
   CVO_FIELDS(planned, done, lost, failed, not_run, no_data);
 };
 

@@ -28,7 +28,8 @@ struct SequenceFlags : SequenceRequest {
   void AddTo(CLI::App& app);
   // Adds --type and --layout.
   void AddLayoutTo(CLI::App& app);
-  // Adds only the flags that select the part to read and its labels. The caller provides the folder.
+  // Adds only the flags that select the part to read and its labels. The caller provides the
+  // folder.
   void AddTruthTo(CLI::App& app);
   // Images given by --left and --right are first imported into the cache, with progress on stderr
   // unless `quiet`. Throws Error for an invalid range of frames, UsageError if no sequence or both

@@ -166,7 +166,6 @@ struct TwoBoxes {
   }
 };
 
-
 TEST(FindNewBodies, OccludingBodyOwnsItsPointsExclusively) {
   EXPECT_THAT(TwoBoxes().Depths(kNearest, {0, 0}), ElementsAre(4.0, 2.0));
 }

@@ -128,9 +128,7 @@ TEST(CliReport, AnInvalidSuiteGivesOneLine) {
   EXPECT_FALSE(fs::exists(suite.folder().path() / "report"));
 }
 
-TEST(CliReport, InvalidFlags) {
-  EXPECT_EQ(RunProgram({"report"}).exit_code, 2);
-}
+TEST(CliReport, InvalidFlags) { EXPECT_EQ(RunProgram({"report"}).exit_code, 2); }
 
 class CliExplain : public testing::Test {
  protected:
