@@ -26,35 +26,27 @@ std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId
 struct IdentityStep {
   const ClusterAssociationOptions& association;
   const ClusterOptions& clusters;
-  const MotionPriorOptions& motion;
   FrameId newest;
   const ClusterPredictor& predict;  // at the time of the frame
 };
 
-// Lets a cluster confirmed in this frame continue under the id of a lost cluster of its class that
-// explains its position and size, if no other explains them nearly as well: a body that turned
-// while it was hidden shows none of its old landmarks. The cluster is then expressed in the object
-// frame of the lost one, placed by the motions before and after the loss and by the boxes
-// (METHOD.md 6.5).
+// Lets a new cluster continue a lost cluster of its class that explains its position and size, if
+// enough of its landmarks are also landmarks of the lost one (METHOD.md 6.5). The cluster is then
+// expressed in the object frame of the lost one and gets its id and its landmarks. Without such
+// landmarks, the new frame cannot be placed in the former one, and the cluster keeps its own id.
 void InheritIdentities(const IdentityStep& step, const std::vector<LostCluster>& lost,
-                       ClusterMap& map);
-
-// Aligns the object frames of clusters that continue under an earlier id with their former frames,
-// by landmarks with similar descriptors. Until that succeeds, and up to 15 boxes,
-// every frame places them anew by the motions and the centres that the boxes show.
-void AlignInheritedFrames(const IdentityStep& step, ClusterMap& map, Rng& rng);
+                       ClusterMap& map, Rng& rng);
 
 template <typename Policy>
 concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng& rng) {
   Policy::Update(step, map, rng);
 };
 
-// Policy: a newly confirmed cluster may continue a lost one (InheritIdentities), and is aligned
-// with it (AlignInheritedFrames).
+// Policy: a new cluster may continue a lost one (InheritIdentities).
 struct InheritLostIdentity {
   static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng);
 };
-// Policy: a newly confirmed cluster never continues a lost one.
+// Policy: a new cluster never continues a lost one.
 struct AlwaysNewIdentity {
   static void Update(const IdentityStep&, ClusterMap&, Rng&) {}
 };

@@ -181,7 +181,6 @@ void AddPast(const ClusterOptions& options, const KeptFrame& kept, const Cluster
       FirstStateAfter(kept.id, cluster.states),
       {kept.id, kept.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
   ++cluster.frames;
-  if (kept.id < cluster.former.since) cluster.former.since = kept.id;
   InsertPose(kept, track, options.score_decay, trajectory);
 }
 

@@ -102,28 +102,8 @@ struct BodySize {
   void Add(double side_of_box_m, bool box_is_whole);
 };
 
-// Motion of a body at one time, with its uncertainty.
-struct BodyMotion {
-  std::int64_t timestamp_ns = 0;
-  RigidTransform world_from_object;
-  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
-  Eigen::Vector3d turn_rad_s = Eigen::Vector3d::Zero();    // in world
-  double speed_variance_m2_s2 = 0.0;                       // per axis
-  double turn_variance_rad2_s2 = 0.0;
-};
-
-// What a cluster has inherited from the time before it was lost, kept until its present body frame
-// is aligned with the former one. From frame `since` on, its poses are in a provisional body frame.
-struct Lineage {
-  FrameId since;
-  std::vector<Landmark> landmarks;  // in the former body frame
-  CenterEstimate box_center;
-  BodyMotion last;         // in the former body frame
-  bool is_placed = false;  // by enough boxes; from then on only landmarks move it
-};
-
 // Estimate of a rigid body that moves or may move. Its body frame is arbitrary: it is chosen at
-// birth and kept, except while `former` is being aligned (METHOD.md 6.5).
+// birth and kept, unless the cluster turns out to continue a lost one (METHOD.md 6.5).
 struct Cluster {
   ClusterId id;
   std::string category;
@@ -136,7 +116,6 @@ struct Cluster {
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
   BodySize size;
   CenterEstimate box_center;
-  Lineage former;
   FrameId last_observed;
   FrameId last_detected;
   // First tracked frame of the last failed trace back, which is not repeated from there.

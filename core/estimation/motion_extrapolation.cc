@@ -36,15 +36,4 @@ PredictedMotion ExtrapolateTranslation(const MotionState& last, double time_s,
   return predicted;
 }
 
-BridgedMotion BridgeMotion(double dt_s, double power_density, double variance_before,
-                           double variance_after) {
-  Require(dt_s > 0.0, "BridgeMotion: the motion must last");
-  const double gained = power_density * dt_s;  // variance of the change of velocity
-  const double change = gained + variance_before + variance_after;
-  const double common = 0.5 * gained + variance_before;  // covariance of mean velocity and change
-  const double forward = gained / 3.0 + variance_before;
-  if (!(change > 0.0)) return {0.5, 0.0};
-  return {common / change, dt_s * dt_s * (forward - common * common / change)};
-}
-
 }  // namespace cvo

@@ -58,16 +58,6 @@ PredictedMotion ExtrapolateTranslation(const MotionState& last, double time_s,
                                        double power_density_m2_s3,
                                        const Eigen::Matrix3d& velocity_covariance_m2_s2);
 
-// Motion over a gap of dt_s between two measured velocities, with white noise on the acceleration
-// (METHOD.md 6.5). The mean velocity is before + later_share (after - before). `variance` is that
-// of the displacement, dt_s times the mean velocity.
-struct BridgedMotion {
-  double later_share = 0.0;
-  double variance = 0.0;  // m^2 or rad^2
-};
-BridgedMotion BridgeMotion(double dt_s, double power_density, double variance_before,
-                           double variance_after);
-
 // Predicts the body's motion at time_s, which must be after the last of its states (at least one;
 // oldest first, times increasing).
 template <MotionPriorPolicy MotionPrior, RotationPolicy RotationModel>
