@@ -174,8 +174,8 @@ template <typename Base>
 struct AddIdentity : Base {
   static constexpr std::string_view kRung = "identity";
   static constexpr std::string_view kAdds =
-      "a cluster that is not found releases its box; a new cluster explained by exactly one lost "
-      "cluster takes over its id and is aligned with it";
+      "a cluster that is not found releases its box; a new cluster that shares landmarks with a "
+      "lost one takes over its id and its body frame";
   using BoxRematch = RematchInBox;
   using Identity = InheritLostIdentity;
 };

@@ -145,8 +145,6 @@ Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape
 
 namespace {
 
-constexpr double kLeastSize_m = 0.01;  // below any real box; keeps the information finite
-
 bool MayBeHidden(const FrameView& view, double max_overlap, int detection) {
   const ImageBox& box = view.shown.detections[detection].box;
   for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
@@ -173,12 +171,6 @@ UnseenEdges UnseenOf(const FrameView& view, int detection) {
   return {is_hidden || cut.left || cut.right, is_hidden || cut.top || cut.bottom};
 }
 
-Eigen::Vector3d Deviations(const UnseenEdges& unseen, double size_m) {
-  return size_m * Eigen::Vector3d(unseen.across ? kUnseenDeviation : kEdgeDeviation,
-                                  unseen.down ? kUnseenDeviation : kEdgeDeviation,
-                                  kUnseenDeviation);
-}
-
 }  // namespace
 
 CutEdges CutBy(const StereoCamera& camera, const ImageBox& box) {
@@ -193,7 +185,10 @@ CutEdges CutBy(const StereoCamera& camera, const ImageBox& box) {
 }
 
 Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m) {
-  return Deviations(UnseenOf(view, detection), size_m);
+  const UnseenEdges unseen = UnseenOf(view, detection);
+  return size_m * Eigen::Vector3d(unseen.across ? kUnseenDeviation : kEdgeDeviation,
+                                  unseen.down ? kUnseenDeviation : kEdgeDeviation,
+                                  kUnseenDeviation);
 }
 
 Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
@@ -205,23 +200,31 @@ Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
   return R * deviations_m.cwiseAbs2().cwiseInverse().asDiagonal() * R.transpose();
 }
 
-BoxCenter CenterFromBox(const FrameView& view, double birth_depth, int detection,
-                        const Eigen::Vector3d& surface_in_world) {
+Eigen::Vector3d CenterFromBox(const FrameView& view, double birth_depth, int detection,
+                              const Eigen::Vector3d& surface_in_world) {
   const ImageBox& box = view.shown.detections[detection].box;
   const double surface_m = (view.world_from_camera.Inverse() * surface_in_world).z();
   const Eigen::Vector3d ray((0.5 * (box.left_px + box.right_px) - view.camera.cx) / view.camera.fx,
                             (0.5 * (box.top_px + box.bottom_px) - view.camera.cy) / view.camera.fy,
                             1.0);
-  BoxCenter result;
-  result.size_m = std::max(kLeastSize_m, surface_m * std::min(box.Width() / view.camera.fx,
-                                                              box.Height() / view.camera.fy));
-  const double center_m = surface_m + birth_depth * result.size_m;
-  result.center_in_world = view.world_from_camera * (center_m * ray);
-  const UnseenEdges unseen = UnseenOf(view, detection);
-  result.information =
-      InformationAlong(view.world_from_camera, ray, Deviations(unseen, result.size_m));
-  result.is_whole = !unseen.across && !unseen.down;
-  return result;
+  const double side_m =
+      surface_m * std::min(box.Width() / view.camera.fx, box.Height() / view.camera.fy);
+  return view.world_from_camera * ((surface_m + birth_depth * side_m) * ray);
+}
+
+void CenterEstimate::Add(const RigidTransform& object_from_there,
+                         const Eigen::Vector3d& center_there,
+                         const Eigen::Matrix3d& information_there) {
+  const Eigen::Matrix3d R = object_from_there.RotationMatrix();
+  const Eigen::Matrix3d added = R * information_there * R.transpose();
+  information += added;
+  weighted += added * (object_from_there * center_there);
+  ++boxes;
+}
+
+Eigen::Vector3d CenterEstimate::InObject() const {
+  if (boxes == 0) return Eigen::Vector3d::Zero();
+  return information.llt().solve(weighted);
 }
 
 // What is known of a body's box at the time of one state of its cluster, in world.

@@ -64,20 +64,11 @@ struct CutEdges {
 };
 CutEdges CutBy(const StereoCamera& camera, const ImageBox& box);
 
-// A body's centre as estimated from a single box and the surface points in it.
-struct BoxCenter {
-  Eigen::Vector3d center_in_world = Eigen::Vector3d::Zero();
-  double size_m = 0.0;    // smaller side of the box at the depth of the surface
-  bool is_whole = false;  // neither cut by the image border nor overlapped
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  // of the centre, in world, 1/m^2
-};
-
 // Places the centre on the ray through the centre of the detection's box, behind the surface by
 // `birth_depth` times the smaller side of the box. Where in the box the surface points lie does not
-// matter: the texture may be on one side. The information is low where the box may show only a part
-// of the body, because the image border cuts it or another box overlaps it.
-BoxCenter CenterFromBox(const FrameView& view, double birth_depth, int detection,
-                        const Eigen::Vector3d& surface_in_world);
+// matter: the texture may be on one side. In world.
+Eigen::Vector3d CenterFromBox(const FrameView& view, double birth_depth, int detection,
+                              const Eigen::Vector3d& surface_in_world);
 
 // Standard deviations (m) of a body's centre as estimated from its detection's box, across the line
 // of sight (right, down) and along it. `size_m` is the smaller side of the box at the body's depth.
@@ -104,6 +95,21 @@ struct BoxScene {
   FrameId newest;
   RigidTransform world_from_camera;
   Eigen::Vector3d down = Eigen::Vector3d::UnitY();  // in world
+};
+
+// Estimate of a body's centre, in the body frame, from the boxes that show it. A box constrains the
+// centre well across the line of sight but poorly along it. Boxes from several sides determine it
+// fully.
+struct CenterEstimate {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();  // information * centre
+  int boxes = 0;
+
+  // Adds a centre and its information, given in the frame `there`.
+  void Add(const RigidTransform& object_from_there, const Eigen::Vector3d& center_there,
+           const Eigen::Matrix3d& information_there);
+  // The estimated centre; the origin if there is no box yet.
+  Eigen::Vector3d InObject() const;
 };
 
 struct BodyTrack;

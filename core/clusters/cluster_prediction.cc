@@ -106,18 +106,15 @@ double SpeedVariance(const Cluster& cluster) {
   return deviation * deviation;
 }
 
-double TurnVariance(const Cluster& cluster) {
-  const double deviation = FallingDeviation(kFirstTurn_rad_s, kTurnDeviation_rad_s, cluster.frames);
-  return deviation * deviation;
-}
-
 PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
                                  double dt_s) {
   PredictedCluster predicted;
   predicted.world_from_object = extrapolated.world_from_object;
   predicted.velocity_m_s = cluster.Latest().velocity_m_s;
   predicted.translation_variance_m2 = extrapolated.translation_covariance_m2(0, 0);
-  predicted.rotation_variance_rad2 = TurnVariance(cluster) * dt_s * dt_s;
+  const double turn_deviation =
+      dt_s * FallingDeviation(kFirstTurn_rad_s, kTurnDeviation_rad_s, cluster.frames);
+  predicted.rotation_variance_rad2 = turn_deviation * turn_deviation;
   return predicted;
 }
 

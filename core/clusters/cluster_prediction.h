@@ -31,9 +31,8 @@ std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_
 // Returns the prediction with mean `extrapolated`, dt_s after the latest state, and its variances.
 PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
                                  double dt_s);
-// Variances of the cluster's velocity (m^2/s^2) and angular velocity (rad^2/s^2), per axis.
+// Variance of the cluster's velocity (m^2/s^2), per axis.
 double SpeedVariance(const Cluster& cluster);
-double TurnVariance(const Cluster& cluster);
 
 template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
 PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,

@@ -3,10 +3,9 @@
 #include "core/clusters/identity.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "core/association/matching.h"
 #include "core/estimation/camera_solver.h"
@@ -15,60 +14,19 @@ namespace cvo {
 
 namespace {
 
-// Gate, in standard deviations, on how a lost cluster explains the position and the size of a new
-// one: larger compares more pairs, and the landmarks decide (chosen from 1.5 ... 3 on the rooms,
-// streets and the crowd, when it alone decided).
-constexpr double kGate = 2.0;
-
-// Standard deviation between the centres of one body estimated from its boxes before and after
-// it was lost, as a fraction of its size (set by hand on the rendered rooms, not swept).
-constexpr double kCenterDeviation = 0.3;
-
-// Maximum standard deviation of a lost cluster's predicted position: bodies turn back, and
-// rooms have walls (the free space of the rendered rooms, not swept).
-constexpr double kMaxSpread_m = 1.0;
-
-// Standard deviation of a body's size between boxes, as a factor: a turning body shows another
-// side (set by hand on the rendered rooms, not swept).
-constexpr double kSizeFactor = 1.7;
-
 // Number of frames in which a new cluster is compared with lost ones: half a second at 30 Hz (not
 // swept).
 constexpr int kCompareFrames = 15;
 
-// Maximum distance, as a fraction of the body's size, at which landmarks of the two clusters are
-// taken for the same point (set by hand on the rendered rooms, not swept).
-constexpr double kPointDeviation = 0.08;
-
-bool AreGiven(const Cluster& found, const Cluster& lost) {
-  return found.given_body.valid() && lost.given_body.valid();
-}
+// Maximum distance at which landmarks of the two clusters are taken for the same point, relative to
+// the largest half side of the cluster: a twelfth of the body's size (set by hand on the rendered
+// rooms, not swept).
+constexpr double kPointDeviation = 0.4;
 
 // Whether two clusters may be the same body, judged by class and given body.
 bool MayBeOne(const Cluster& found, const Cluster& lost) {
-  return found.category == lost.category &&
-         (!AreGiven(found, lost) || found.given_body == lost.given_body);
-}
-
-// Log ratio of two sizes; 0 if they may be equal, because the smaller one is of a part only, or if
-// one is unknown: a body known from given labels alone has no size.
-double LogRatio(const BodySize& a, const BodySize& b) {
-  if (a.side_m == 0.0 || b.side_m == 0.0) return 0.0;
-  const double ratio = std::log(a.side_m / b.side_m);
-  const bool may_be_same = ratio < 0.0 ? !a.is_whole : !b.is_whole;
-  return may_be_same ? 0.0 : ratio;
-}
-
-// How far the centre and size of the found cluster are from what the lost one leads to expect, in
-// squared standard deviations.
-double SquaredDistance(const Cluster& found, const Cluster& lost,
-                       const PredictedCluster& predicted) {
-  const double spread = std::min(std::sqrt(predicted.translation_variance_m2), kMaxSpread_m);
-  const double deviation = std::hypot(spread, kCenterDeviation * lost.size.side_m);
-  const Eigen::Vector3d offset = found.Latest().world_from_object * found.box_center.InObject() -
-                                 predicted.world_from_object * lost.box_center.InObject();
-  const double size = LogRatio(found.size, lost.size) / std::log(kSizeFactor);
-  return offset.squaredNorm() / (deviation * deviation) + size * size;
+  const bool are_given = found.given_body.valid() && lost.given_body.valid();
+  return found.category == lost.category && (!are_given || found.given_body == lost.given_body);
 }
 
 bool IsEstimated(const ClusterState&) { return true; }
@@ -128,7 +86,6 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
   }
   cluster.id = id;
   cluster.center_in_object = new_from_old * cluster.center_in_object;
-  cluster.box_center = cluster.box_center.In(new_from_old);
 }
 
 // Estimates lost_from_found from landmarks with similar descriptors, which are points of both
@@ -152,35 +109,8 @@ std::optional<RigidTransform> AlignLandmarks(const ClusterAssociationOptions& as
     from.col(column) = found.landmarks[matches[i].feature].p_in_object;
     to.col(column) = lost.landmarks[matches[i].landmark].p_in_object;
   }
-  return AlignPointsRansac(from, to, kPointDeviation * found.size.side_m, association.min_rematch,
-                           kRansacIterations, rng);
-}
-
-// The lost cluster that a found one continues.
-struct Predecessor {
-  ClusterId id;
-  RigidTransform lost_from_found;  // from the found cluster's frame to the lost one's
-};
-
-// Compares the found cluster with the lost ones that explain it, the most likely first.
-std::optional<Predecessor> FindPredecessor(const IdentityStep& step, const Cluster& found,
-                                           const std::vector<LostCluster>& lost,
-                                           const ClusterMap& map, Rng& rng) {
-  std::vector<std::pair<double, const Cluster*>> candidates;
-  for (const LostCluster& candidate : lost) {
-    const Cluster* cluster = FindCluster(map, candidate.id);
-    if (cluster == nullptr || !MayBeOne(found, *cluster)) continue;
-    const double distance =
-        AreGiven(found, *cluster) ? 0.0 : SquaredDistance(found, *cluster, candidate.predicted);
-    if (distance < kGate * kGate) candidates.emplace_back(distance, cluster);
-  }
-  std::sort(candidates.begin(), candidates.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
-  for (const auto& [distance, cluster] : candidates) {
-    const auto lost_from_found = AlignLandmarks(step.association, *cluster, found, rng);
-    if (lost_from_found) return Predecessor{cluster->id, *lost_from_found};
-  }
-  return std::nullopt;
+  return AlignPointsRansac(from, to, kPointDeviation * found.half_size_m.maxCoeff(),
+                           association.min_rematch, kRansacIterations, rng);
 }
 
 void Inherit(const Cluster& lost, const RigidTransform& lost_from_found, ClusterMap& map,
@@ -192,15 +122,27 @@ void Inherit(const Cluster& lost, const RigidTransform& lost_from_found, Cluster
     landmark.observations.clear();
     if (!landmark.past_information.isZero()) found.landmarks.push_back(std::move(landmark));
   }
-  std::sort(found.landmarks.begin(), found.landmarks.end(),
-            [](const Landmark& a, const Landmark& b) { return a.id < b.id; });
-  found.box_center.Add(lost.box_center);
+  std::ranges::sort(found.landmarks, {}, &Landmark::id);
   std::vector<ClusterPose>& poses = map.trajectories[lost.id].poses;
   // While both clusters were live, the lost one was only predicted; drop those poses.
   std::erase_if(poses, [&](const ClusterPose& pose) {
     return !later.poses.empty() && pose.frame >= later.poses.front().frame;
   });
   poses.insert(poses.end(), later.poses.begin(), later.poses.end());
+}
+
+// The confirmed clusters that are not observed in the newest frame, the last one lost first.
+std::vector<const Cluster*> LostClusters(const IdentityStep& step, const ClusterMap& map) {
+  std::vector<const Cluster*> lost;
+  const auto add = [&](const Cluster& cluster) {
+    if (cluster.last_observed < step.newest && IsConfirmed(cluster, step.clusters)) {
+      lost.push_back(&cluster);
+    }
+  };
+  std::ranges::for_each(map.live, add);
+  std::ranges::for_each(map.archived, add);
+  std::ranges::stable_sort(lost, std::greater(), &Cluster::last_observed);
+  return lost;
 }
 
 void Remove(ClusterId id, FrameId newest, ClusterMap& map) {
@@ -212,37 +154,22 @@ void Remove(ClusterId id, FrameId newest, ClusterMap& map) {
 
 }  // namespace
 
-std::vector<LostCluster> FindLostClusters(const ClusterOptions& options, FrameId newest,
-                                          const ClusterPredictor& predict, const ClusterMap& map) {
-  std::vector<LostCluster> lost;
-  const auto add = [&](const Cluster& cluster) {
-    if (cluster.last_observed == newest || !IsConfirmed(cluster, options)) return;
-    lost.push_back({cluster.id, predict(cluster)});
-  };
-  for (const Cluster& cluster : map.live) add(cluster);
-  for (const Cluster& cluster : map.archived) add(cluster);
-  return lost;
-}
-
-void InheritIdentities(const IdentityStep& step, const std::vector<LostCluster>& lost,
-                       ClusterMap& map, Rng& rng) {
+void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
   std::vector<ClusterId> inherited;
-  for (Cluster& cluster : map.live) {
-    const bool is_new = cluster.frames <= kCompareFrames && cluster.last_observed == step.newest;
-    if (!is_new || !IsConfirmed(cluster, step.clusters)) continue;
-    const auto predecessor = FindPredecessor(step, cluster, lost, map, rng);
-    if (!predecessor || std::ranges::count(inherited, predecessor->id) > 0) continue;
-    inherited.push_back(predecessor->id);
-    Inherit(*FindCluster(map, predecessor->id), predecessor->lost_from_found, map, cluster);
+  for (Cluster& found : map.live) {
+    const bool is_new = found.frames <= kCompareFrames && found.last_observed == step.newest;
+    if (!is_new || !IsConfirmed(found, step.clusters)) continue;
+    for (const Cluster* lost : LostClusters(step, map)) {
+      if (!MayBeOne(found, *lost) || std::ranges::count(inherited, lost->id) > 0) continue;
+      const auto lost_from_found = AlignLandmarks(step.association, *lost, found, rng);
+      if (!lost_from_found) continue;
+      inherited.push_back(lost->id);
+      Inherit(*lost, *lost_from_found, map, found);
+      break;
+    }
   }
   for (const ClusterId id : inherited) Remove(id, step.newest, map);
-  std::sort(map.live.begin(), map.live.end(),
-            [](const Cluster& a, const Cluster& b) { return a.id < b.id; });
-}
-
-void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
-  InheritIdentities(step, FindLostClusters(step.clusters, step.newest, step.predict, map), map,
-                    rng);
+  std::ranges::sort(map.live, {}, &Cluster::id);
 }
 
 }  // namespace cvo

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -71,37 +72,6 @@ struct ClusterState {
   Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // of its origin, in world
 };
 
-// Estimate of a body's centre, in the body frame, from the detection boxes that show it. A box
-// constrains the centre well across the line of sight but poorly along it. Boxes from several sides
-// determine it fully.
-struct CenterEstimate {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();  // information * centre
-  int boxes = 0;
-
-  void Add(const Eigen::Vector3d& center, const Eigen::Matrix3d& information_of_box);
-  // The same for a centre and information given in another frame, `there`.
-  void Add(const RigidTransform& object_from_there, const Eigen::Vector3d& center_there,
-           const Eigen::Matrix3d& information_there);
-  void Add(const CenterEstimate& other);  // in the same body frame
-  // The estimated centre; the origin if there is no box yet.
-  Eigen::Vector3d InObject() const;
-  // Covariance of the centre, m^2. It is that of a single box, because boxes that show the same
-  // side of a body share the same error. Requires at least one box.
-  Eigen::Matrix3d Covariance() const;
-  // Returns the estimate expressed in another body frame.
-  CenterEstimate In(const RigidTransform& new_from_old) const;
-};
-
-// Size of a body: the smaller side, in m, of the last box that showed the whole body. Until there
-// is such a box, it is a lower bound: the largest value from the partial boxes.
-struct BodySize {
-  double side_m = 0.0;  // 0: no box yet
-  bool is_whole = false;
-
-  void Add(double side_of_box_m, bool box_is_whole);
-};
-
 // Estimate of a rigid body that moves or may move. Its body frame is arbitrary: it is chosen at
 // birth and kept, unless the cluster turns out to continue a lost one (METHOD.md 6.5).
 struct Cluster {
@@ -114,8 +84,6 @@ struct Cluster {
   // between the 30th and 70th percentiles.
   Eigen::Vector3d center_in_object = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_size_m = Eigen::Vector3d::Zero();
-  BodySize size;
-  CenterEstimate box_center;
   FrameId last_observed;
   FrameId last_detected;
   // First tracked frame of the last failed trace back, which is not repeated from there.
@@ -129,7 +97,10 @@ struct Cluster {
 };
 
 // Returns the cluster's state in the frame; null if it has none.
-const ClusterState* FindState(const Cluster& cluster, FrameId frame);
+inline const ClusterState* FindState(const Cluster& cluster, FrameId frame) {
+  const auto it = std::ranges::lower_bound(cluster.states, frame, {}, &ClusterState::frame);
+  return it != cluster.states.end() && it->frame == frame ? &*it : nullptr;
+}
 
 // Returns the time from one timestamp to the other, s.
 inline double SecondsBetween(std::int64_t from_ns, std::int64_t to_ns) {

@@ -47,9 +47,8 @@ Cluster CreateCluster(const FrameView& view, const BodyCenterOptions& options, F
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    const BoxCenter box = CenterFromBox(view, options.birth_depth, birth.detection, origin);
-    origin = birth_origin(axes.translation(), box.center_in_world);
-    cluster.size.Add(box.size_m, box.is_whole);
+    origin = birth_origin(
+        origin, CenterFromBox(view, options.birth_depth, birth.detection, axes.translation()));
   }
   cluster.states.push_back({newest, view.frame.timestamp_ns,
                             RigidTransform(axes.RotationMatrix(), origin),

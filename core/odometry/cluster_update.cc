@@ -58,21 +58,6 @@ double ApplySolution(double gate, const WindowProblem& problem, const std::vecto
 
 namespace {
 
-// Adds the estimate of the body's centre and size from its detection box.
-void AddBoxCenter(const FrameView& view, const BodyCenterOptions& options,
-                  const ClusterTrack& track, Cluster& cluster) {
-  if (track.matches.empty()) return;
-  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(track.matches.size()));
-  for (std::size_t i = 0; i < track.matches.size(); ++i) {
-    points.col(static_cast<Eigen::Index>(i)) =
-        track.world_from_object * cluster.landmarks[track.matches[i].landmark].p_in_object;
-  }
-  const Eigen::Vector3d surface = PrincipalAxes(points, options.extent).translation();
-  const BoxCenter box = CenterFromBox(view, options.birth_depth, track.detection, surface);
-  cluster.size.Add(box.size_m, box.is_whole);
-  cluster.box_center.Add(track.world_from_object.Inverse(), box.center_in_world, box.information);
-}
-
 ClusterReport DescribeCluster(FrameId newest, const Cluster& cluster) {
   ClusterReport report;
   report.id = cluster.id;
@@ -108,8 +93,8 @@ void RecordTrajectory(const Cluster& cluster, const ClusterReport& report, Frame
 
 }  // namespace
 
-void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
-               const std::vector<ClusterTrack>& tracks, ClusterMap& map) {
+void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
+               ClusterMap& map) {
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     Cluster& cluster = map.live[q];
     const ClusterTrack& track = tracks[q];
@@ -120,7 +105,6 @@ void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId 
       cluster.score = view.shown.detections[track.detection].score;
     }
     if (!track.is_tracked) continue;
-    if (track.detection >= 0) AddBoxCenter(view, options, track, cluster);
     cluster.states.push_back(
         {newest, view.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
     cluster.last_observed = newest;

@@ -78,8 +78,8 @@ WindowReport OptimizeWindow(const FeatureNoise& noise, const SolverOptions& opti
 
 // Updates the clusters from their tracks in the frame: a tracked cluster gets a state for it, and
 // associated detections are counted.
-void AddStates(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
-               const std::vector<ClusterTrack>& tracks, ClusterMap& map);
+void AddStates(const FrameView& view, FrameId newest, const std::vector<ClusterTrack>& tracks,
+               ClusterMap& map);
 
 // Describes every live cluster in the newest frame, after the optimisation and without boxes and
 // scores. A cluster without a state in the frame is predicted.

@@ -171,7 +171,7 @@ class VisualOdometry final : public Odometry {
     const WindowFrame entering{newest_, step.view.world_from_camera,
                                step.view.frame.given.world_from_camera.has_value()};
     const BodyCenterOptions center{options_.extent, options_.clusters.birth_depth};
-    AddStates(step.view, center, newest_, step.cluster_tracks, clusters_);
+    AddStates(step.view, newest_, step.cluster_tracks, clusters_);
     CreateClusters(step.view, center, newest_, step.points, step.labels, &Variant::NewBody::Origin,
                    clusters_);
     const int created = UpdateLandmarks(
@@ -280,8 +280,8 @@ class VisualOdometry final : public Odometry {
   void EndClusters(const FrameView* view, FrameReport& report) {
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
-    Variant::Identity::Update({options_.association, options_.clusters, newest_, predict},
-                              clusters_, cluster_rng_);
+    Variant::Identity::Update({options_.association, options_.clusters, newest_}, clusters_,
+                              cluster_rng_);
     std::vector<ClusterReport> described = DescribeClusters(newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
     const BoxSceneOptions boxes{options_.NoiseOfFeatures(), options_.clusters, options_.extent,

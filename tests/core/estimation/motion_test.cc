@@ -201,42 +201,5 @@ TEST(Extrapolate, RefusesTheTimeOfTheLastStateAndBefore) {
   }
 }
 
-TEST(BridgeMotion, HandlesKnownAndUnknownLaterVelocities) {
-  const BridgedMotion known = BridgeMotion(2.0, 0.6, 0.0, 0.0);
-  EXPECT_DOUBLE_EQ(known.later_share, 0.5);
-  EXPECT_NEAR(known.variance, 0.6 * 8.0 / 12.0, 1e-12);
-  const BridgedMotion past = BridgeMotion(2.0, 0.6, 0.04, 1e12);
-  EXPECT_NEAR(past.later_share, 0.0, 1e-9);
-  EXPECT_NEAR(past.variance, 0.6 * 8.0 / 3.0 + 4.0 * 0.04, 1e-9);
-  EXPECT_THROW(BridgeMotion(0.0, 0.6, 0.1, 0.1), Error);
-}
-
-TEST(BridgeMotion, IsTheBestEstimateOfSimulatedMotions) {
-  constexpr double kTime_s = 1.5;
-  constexpr double kDensity = 0.7;
-  constexpr double kBefore = 0.2;
-  constexpr double kAfter = 0.5;
-  Rng rng(5, "bridge");
-  const BridgedMotion bridged = BridgeMotion(kTime_s, kDensity, kBefore * kBefore, kAfter * kAfter);
-  constexpr std::array<double, 3> kOff = {-0.1, 0.0, 0.1};
-  std::array<double, 3> squares{};
-  constexpr int kMotions = 20000;
-  for (int i = 0; i < kMotions; ++i) {
-    // Starts at velocity 0. Draws the change of velocity, then the displacement given that change.
-    const double change = std::sqrt(kDensity * kTime_s) * rng.Normal();
-    const double way = 0.5 * kTime_s * change +
-                       std::sqrt(kDensity * kTime_s * kTime_s * kTime_s / 12.0) * rng.Normal();
-    const double before = kBefore * rng.Normal();
-    const double after = change + kAfter * rng.Normal();
-    for (std::size_t k = 0; k < kOff.size(); ++k) {
-      const double mean = before + (bridged.later_share + kOff[k]) * (after - before);
-      squares[k] += (kTime_s * mean - way) * (kTime_s * mean - way) / kMotions;
-    }
-  }
-  EXPECT_NEAR(squares[1] / bridged.variance, 1.0, 0.03);
-  EXPECT_GT(squares[0], squares[1]);
-  EXPECT_GT(squares[2], squares[1]);
-}
-
 }  // namespace
 }  // namespace cvo::motion_test
