@@ -3,6 +3,7 @@
 #include "core/clusters/identity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -22,6 +23,10 @@ constexpr int kCompareFrames = 15;
 // the largest half side of the cluster: a twelfth of the body's size (set by hand on the rendered
 // rooms, not swept).
 constexpr double kPointDeviation = 0.4;
+
+// Maximum distance of the lost cluster from its predicted position, in standard deviations of the
+// prediction: cars of one model share their landmarks, but no car jumps.
+constexpr double kGate = 3.0;
 
 // Whether two clusters may be the same body, judged by class and given body.
 bool MayBeOne(const Cluster& found, const Cluster& lost) {
@@ -131,6 +136,18 @@ void Inherit(const Cluster& lost, const RigidTransform& lost_from_found, Cluster
   poses.insert(poses.end(), later.poses.begin(), later.poses.end());
 }
 
+// Whether the lost cluster can have moved to where the alignment places it now. The alignment
+// itself is as uncertain as the points that it compares.
+bool IsReachable(const PredictedCluster& lost, const Cluster& found,
+                 const RigidTransform& lost_from_found) {
+  const RigidTransform world_from_lost =
+      found.Latest().world_from_object * lost_from_found.Inverse();
+  const double deviation_m = std::hypot(std::sqrt(lost.translation_variance_m2),
+                                        kPointDeviation * found.half_size_m.maxCoeff());
+  return (world_from_lost.translation() - lost.world_from_object.translation()).norm() <=
+         kGate * deviation_m;
+}
+
 // The confirmed clusters that are not observed in the newest frame, the last one lost first.
 std::vector<const Cluster*> LostClusters(const IdentityStep& step, const ClusterMap& map) {
   std::vector<const Cluster*> lost;
@@ -162,7 +179,7 @@ void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng&
     for (const Cluster* lost : LostClusters(step, map)) {
       if (!MayBeOne(found, *lost) || std::ranges::count(inherited, lost->id) > 0) continue;
       const auto lost_from_found = AlignLandmarks(step.association, *lost, found, rng);
-      if (!lost_from_found) continue;
+      if (!lost_from_found || !IsReachable(step.predict(*lost), found, *lost_from_found)) continue;
       inherited.push_back(lost->id);
       Inherit(*lost, *lost_from_found, map, found);
       break;

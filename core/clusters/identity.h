@@ -4,6 +4,7 @@
 
 #include "core/base/rng.h"
 #include "core/clusters/cluster_map.h"
+#include "core/clusters/cluster_prediction.h"
 #include "core/interface/cluster_options.h"
 
 namespace cvo {
@@ -13,6 +14,7 @@ struct IdentityStep {
   const ClusterAssociationOptions& association;
   const ClusterOptions& clusters;
   FrameId newest;
+  const ClusterPredictor& predict;  // at the time of the frame
 };
 
 template <typename Policy>
@@ -21,9 +23,9 @@ concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng
 };
 
 // Policy: a new cluster continues a lost one of its class if enough of its landmarks are also
-// landmarks of the lost one (METHOD.md 6.5). It is then expressed in the object frame of the lost
-// one and gets its id and its landmarks. Without such landmarks, the new frame cannot be placed in
-// the former one, and the cluster keeps its own id.
+// landmarks of the lost one, which can have moved there (METHOD.md 6.5). It is then expressed in
+// the object frame of the lost one and gets its id and its landmarks. Without such landmarks, the
+// new frame cannot be placed in the former one, and the cluster keeps its own id.
 struct InheritLostIdentity {
   static void Update(const IdentityStep& step, ClusterMap& map, Rng& rng);
 };

@@ -280,8 +280,8 @@ class VisualOdometry final : public Odometry {
   void EndClusters(const FrameView* view, FrameReport& report) {
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
-    Variant::Identity::Update({options_.association, options_.clusters, newest_}, clusters_,
-                              cluster_rng_);
+    Variant::Identity::Update({options_.association, options_.clusters, newest_, predict},
+                              clusters_, cluster_rng_);
     std::vector<ClusterReport> described = DescribeClusters(newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
     const BoxSceneOptions boxes{options_.NoiseOfFeatures(), options_.clusters, options_.extent,

@@ -30,6 +30,7 @@ struct Return {
   ClusterAssociationOptions association;
   ClusterOptions options;
   ClusterMap map;
+  double off_m = 0.2;  // of the prediction of cluster 1, whose standard deviation is 0.1 m
 
   explicit Return(int common = 12) {
     map.archived = {Make(1, {{10, At(0.0)}})};
@@ -84,7 +85,13 @@ struct Return {
   template <typename Policy = InheritLostIdentity>
   std::int64_t Found() {
     Rng rng(0, "identity");
-    Policy::Update({association, options, FrameId{20}}, map, rng);
+    const ClusterPredictor predict = [&](const Cluster&) {
+      PredictedCluster predicted;
+      predicted.world_from_object = At(1.1 + off_m, 0.8) * kLostFromFound.Inverse();
+      predicted.translation_variance_m2 = 0.01;
+      return predicted;
+    };
+    Policy::Update({association, options, FrameId{20}, predict}, map, rng);
     return map.live.at(0).id.value;
   }
 };
@@ -172,6 +179,12 @@ TEST(InheritLostIdentity, RefusesLandmarksThatDoNotFormTheBody) {
   for (Landmark& landmark : r.map.archived[0].landmarks) {
     landmark.p_in_object = landmark.p_in_object.cwiseProduct(Eigen::Vector3d(-1.0, 1.0, 1.0));
   }
+  EXPECT_EQ(r.Found(), 2);
+}
+
+TEST(InheritLostIdentity, RefusesABodyThatCannotHaveMovedThere) {
+  Return r;
+  r.off_m = 0.5;
   EXPECT_EQ(r.Found(), 2);
 }
 

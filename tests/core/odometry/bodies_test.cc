@@ -291,8 +291,9 @@ TEST(Given, LabelsAreObeyed) {
   }
 }
 
-TEST(Given, BoxesAreObeyedAgainstAllOtherEvidence) {
-  // The body turns around and jumps aside while hidden, for less and for more than live_frames.
+TEST(Given, BoxesSeparateBodiesAgainstAllOtherEvidence) {
+  // The body turns around and jumps aside while hidden, for less and for more than live_frames. None
+  // of its landmarks tells where its former frame is now, so it returns as another cluster.
   for (const int hidden : {6, 18}) {
     std::vector<test::MovingBody> bodies = test::TwoBodies();
     const auto walk = bodies[0].world_from_body;
@@ -312,8 +313,10 @@ TEST(Given, BoxesAreObeyedAgainstAllOtherEvidence) {
     RunSettings settings;
     settings.frames = 36;
     const ClusterRun run = RunClusters("full", MovingWorld(5, bodies), settings, give);
-    EXPECT_EQ(ClusterOfBody(run, 35, 1), ClusterOfBody(run, 10, 1)) << hidden;
-    EXPECT_EQ(run.clusters.size(), 2u) << hidden;
+    EXPECT_NE(ClusterOfBody(run, 35, 1), ClusterOfBody(run, 10, 1)) << hidden;
+    EXPECT_NE(ClusterOfBody(run, 35, 1), ClusterOfBody(run, 35, 2)) << hidden;
+    EXPECT_EQ(ClusterOfBody(run, 35, 2), ClusterOfBody(run, 10, 2)) << hidden;
+    EXPECT_EQ(run.clusters.size(), 3u) << hidden;
   }
 }
 
