@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // The colours of charts.
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
@@ -16,8 +14,6 @@ namespace {
 // apart, and two more.
 constexpr std::array kColours = {"#8a8a8a", "#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                  "#e69f00", "#56b4e9", "#a0892c", "#7a5195"};
-constexpr char kLess[] = "#2166ac";
-constexpr char kMore[] = "#e08214";
 constexpr std::array kDashes = {"", "5 3", "5 2 1 2", "9 3", "1 2.5"};  // in line widths
 
 }  // namespace
@@ -46,19 +42,11 @@ std::string Stroke(const Look& look, double width) {
   return text;
 }
 
-std::string HeatFill(double value) {
-  const bool less = value < 0.0;
-  return StrCat(" class=\"chart-", less ? "less" : "more", "\" fill=\"", less ? kLess : kMore,
-                "\" fill-opacity=\"", Num(0.04 + 0.66 * std::min(1.0, std::abs(value))), "\"");
-}
-
 std::string ChartCss() {
   std::string css =
       "svg.chart{fill:var(--chart-ink,#222222);background:var(--chart-paper,#ffffff)}"
       ".chart-axis{stroke:var(--chart-ink,#222222)}.chart-grid{stroke:var(--chart-grid,#dddddd)}"
       ".chart-shade{fill:var(--chart-grid,#dddddd)}";
-  css += StrCat(".chart-less{fill:var(--chart-less,", kLess, ")}.chart-more{fill:var(--chart-more,",
-                kMore, ")}");
   for (std::size_t i = 0; i < kColours.size(); ++i) {
     const std::string value =
         StrCat("var(--chart-", i == 0 ? "truth" : StrCat(i), ",", kColours[i], ")}");

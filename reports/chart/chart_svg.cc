@@ -65,11 +65,6 @@ class SvgWriter {
     out_ += StrCat("<text x=\"", Num(x), "\" y=\"", Num(y), "\"", attributes, ">", Text(text),
                    "</text>\n");
   }
-  void PutUpwards(double x, double y, const std::string& text, const char* anchor) {
-    Put(x, y, text,
-        StrCat(" text-anchor=\"", anchor, "\" transform=\"rotate(-90 ", Num(x), " ", Num(y),
-               ")\""));
-  }
   void Line(double x1, double y1, double x2, double y2) {
     out_ += StrCat("<path d=\"M", Num(x1), " ", Num(y1), "L", Num(x2), " ", Num(y2), "\"/>\n");
   }
@@ -108,7 +103,6 @@ class SvgWriter {
   void Draw(const Panel& panel, const PanelPlace& place) {
     panel_ = {place.left, place.top, place.left + place.width, place.top + place.height};
     Background(panel, place);
-    for (const HeatCell& cell : panel.cells) DrawCell(cell, place);
     texts_.clear();
     for (const Series& series : panel.series) DrawSeries(series, place);
     for (const Series& series : panel.series) {
@@ -125,11 +119,10 @@ class SvgWriter {
       Rect({place.x.Of(shade.low), panel_.top, place.x.Of(shade.high), panel_.bottom},
            " class=\"chart-shade\" fill=\"#dddddd\" fill-opacity=\"0.6\"");
     }
-    if (!panel.cells.empty()) return;
     out_ += "<g class=\"chart-grid\" fill=\"none\" stroke=\"#dddddd\" stroke-width=\"0.5\">\n";
     for (const Tick& tick : place.x.ticks) {
       const double x = place.x.Of(tick.value);
-      if (place.x.kind != AxisScale::kCategory) Line(x, panel_.top, x, panel_.bottom);
+      Line(x, panel_.top, x, panel_.bottom);
     }
     for (const Tick& tick : place.y.ticks) {
       const double y = place.y.Of(tick.value);
@@ -152,50 +145,31 @@ class SvgWriter {
   }
 
   void Axes(const Panel& panel, const PanelPlace& place) {
-    if (panel.cells.empty()) {
-      out_ += StrCat("<path class=\"chart-axis\" fill=\"none\" stroke=\"#222222\" d=\"M",
-                     Num(panel_.left), " ", Num(panel_.top), "V", Num(panel_.bottom), "H",
-                     Num(panel_.right), "\" stroke-width=\"0.7\"/>\n");
-    }
-    if (!panel.title.empty()) {
-      const double labels = place.above && place.labels_x ? place.label_height + 0.5 * em_ : 0.0;
-      Put(panel_.left, panel_.top - 0.5 * em_ - labels, panel.title, " font-weight=\"bold\"");
-    }
+    out_ += StrCat("<path class=\"chart-axis\" fill=\"none\" stroke=\"#222222\" d=\"M",
+                   Num(panel_.left), " ", Num(panel_.top), "V", Num(panel_.bottom), "H",
+                   Num(panel_.right), "\" stroke-width=\"0.7\"/>\n");
+    Put(panel_.left, panel_.top - 0.5 * em_, panel.title, " font-weight=\"bold\"");
     if (place.labels_x) AxisX(panel, place);
     if (place.labels_y) AxisY(panel, place);
   }
 
   void AxisX(const Panel& panel, const PanelPlace& place) {
-    const double line = kLineHeight * em_;
     double free = -1e9;  // where the label before ends
     for (const Tick& tick : place.x.ticks) {
       const double x = place.x.Of(tick.value);
-      if (place.upright) {
-        const double y = place.above ? panel_.top - 0.4 * em_ : panel_.bottom + 0.4 * em_;
-        PutUpwards(x + 0.35 * em_, y, tick.lines.front(), place.above ? "start" : "end");
-        continue;
-      }
-      const double half = 0.5 * TextWidth(tick.lines.front(), em_);
-      if (place.x.kind != AxisScale::kCategory && x - half < free) continue;
+      const double half = 0.5 * TextWidth(tick.label, em_);
+      if (x - half < free) continue;
       free = x + half + 0.5 * em_;
-      double y = place.above
-                     ? panel_.top + 0.9 * em_ - line * static_cast<double>(tick.lines.size())
-                     : panel_.bottom + 1.2 * em_;
-      for (const std::string& text : tick.lines) {
-        Put(x, y, text, " text-anchor=\"middle\"");
-        y += line;
-      }
+      Put(x, panel_.bottom + 1.2 * em_, tick.label, " text-anchor=\"middle\"");
     }
-    Put(0.5 * (panel_.left + panel_.right),
-        place.above ? panel_.top - place.label_height - 0.5 * em_
-                    : panel_.bottom + place.label_height + 1.3 * em_,
+    Put(0.5 * (panel_.left + panel_.right), panel_.bottom + (kLineHeight + 1.3) * em_,
         panel.x.title, " text-anchor=\"middle\"");
   }
 
   void AxisY(const Panel& panel, const PanelPlace& place) {
     double widest = 0.0;
     for (const Tick& tick : place.y.ticks) {
-      const std::string& text = tick.lines.front();
+      const std::string& text = tick.label;
       widest = std::max(widest, TextWidth(text, em_));
       Put(panel_.left - 0.5 * em_, place.y.Of(tick.value) + 0.35 * em_, text,
           " text-anchor=\"end\"");
@@ -204,18 +178,11 @@ class SvgWriter {
     double x = panel_.left - widest - 1.0 * em_ -
                kLineHeight * em_ * (static_cast<double>(lines.size()) - 1.0);
     for (const std::string& text : lines) {
-      PutUpwards(x, 0.5 * (panel_.top + panel_.bottom), text, "middle");
+      const double y = 0.5 * (panel_.top + panel_.bottom);
+      Put(x, y, text,
+          StrCat(" text-anchor=\"middle\" transform=\"rotate(-90 ", Num(x), " ", Num(y), ")\""));
       x += kLineHeight * em_;
     }
-  }
-
-  void DrawCell(const HeatCell& cell, const PanelPlace& place) {
-    const Box box{place.x.Of(cell.column - 0.5), place.y.Of(cell.row - 0.5),
-                  place.x.Of(cell.column + 0.5) - 0.6, place.y.Of(cell.row + 0.5) - 0.6};
-    Rect(box, HeatFill(cell.value), cell.tip);
-    Put(place.x.Of(cell.column), place.y.Of(cell.row) + 0.35 * em_, cell.text,
-        StrCat(" text-anchor=\"middle\" pointer-events=\"none\"",
-               cell.bold ? " font-weight=\"bold\"" : ""));
   }
 
   bool Holds(const Datum& datum, const PanelPlace& place) const {

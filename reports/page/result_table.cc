@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/page/page.h"
 #include "reports/tables/table_texts.h"
 
@@ -67,9 +68,13 @@ std::string BlockHtml(const Table& table, const TableTexts& texts, std::size_t i
   for (const std::string& name : texts.text_header) {
     html += StrCat("<th scope=\"col\">", Escaped(name), "</th>");
   }
-  for (const ColumnText& column : texts.columns) {
+  for (std::size_t i = 0; i < texts.columns.size(); ++i) {
+    const ColumnText& column = texts.columns[i];
+    const MetricEntry* entry = FindEntry(table.columns[i].metric);
     html +=
-        StrCat("<th scope=\"col\" class=\"number\">", Escaped(column.label),
+        StrCat("<th scope=\"col\" class=\"number\"",
+               entry != nullptr ? StrCat(" title=\"", Escaped(entry->meaning), "\"") : "", ">",
+               Escaped(column.label),
                Span("unit", column.unit.empty() ? "" : StrCat(" [", column.unit, "]")), "</th>");
   }
   html += "</tr></thead>\n<tbody>\n";

@@ -88,9 +88,9 @@ TEST(CliReport, WritesOnePageBesideTheResults) {
   EXPECT_THAT(run.err, IsEmpty());
   const fs::path out = suite.folder().path() / "report";
   EXPECT_EQ(run.out, "written: " + (out / "index.html").string() + "\n");
-  EXPECT_THAT(Page(out), AllOf(HasSubstr("1 of 1 runs."),
-                               HasSubstr("<code>orb.features</code>: 1999 (default "),
-                               HasSubstr("no clusters: the static-world baseline")));
+  EXPECT_THAT(Page(out),
+              AllOf(HasSubstr("1 of 1 runs."), HasSubstr("option orb.features: 1999 (default "),
+                    HasSubstr("no clusters: the static-world baseline")));
   EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 1);
 }
 
