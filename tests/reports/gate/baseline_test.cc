@@ -38,8 +38,6 @@ TEST(Baseline, ReadsBackAsWritten) {
   ASSERT_EQ(again.metrics.size(), 2U) << "coverage comes with the error that it is about";
   ASSERT_EQ(again.jobs.size(), 16U);
   EXPECT_EQ(again.jobs[0].values.at("camera_ate"), GateFolder::Ate("room", 1));
-  EXPECT_EQ(again.jobs[0].time_ratio, 3.0);
-  EXPECT_FALSE(again.jobs[1].time_ratio) << "of static itself";
 }
 
 TEST(Baseline, RequiresACompleteSuiteWithTwoSeedsAndOneContractPerMetric) {
