@@ -37,8 +37,6 @@ struct PageContent {
   std::string title;
   std::string about;
   std::optional<Table> table;
-  std::optional<Table> comparison;
-  std::string compared_with;   // name of the folder compared with
   std::vector<SuiteRun> runs;  // in the order of the plan
   std::vector<Fact> variants;  // variants of the suite, each with its meaning
   SuiteFigures drawing;
@@ -49,10 +47,9 @@ struct PageContent {
 };
 
 struct PageRequest {
-  std::filesystem::path folder;   // output folder of a suite
-  std::filesystem::path against;  // output folder to compare with; empty: none
-  std::string default_options;    // nested JSON; empty: unknown
-  std::vector<Fact> variants;     // all variants, each with its meaning
+  std::filesystem::path folder;  // output folder of a suite
+  std::string default_options;   // nested JSON; empty: unknown
+  std::vector<Fact> variants;    // all variants, each with its meaning
 };
 
 // Reads whatever can be read from the folder. Throws Error only if it holds no plan.json.
@@ -92,10 +89,8 @@ std::string HtmlDocument(const std::string& title, const std::string& body);
 std::string_view PageStyle();
 std::string_view PageScript();
 
-// Sections of the page of a suite. Each is there even if it only says that there is nothing to
-// show, except that a page compared with nothing has no comparison.
+// What the suite compared, and what differs from the reference of its table.
 std::string SummarySection(const PageContent& content);
-std::string ComparisonSection(const PageContent& content);
 
 // What differs between the rows of a table and their reference.
 std::string FindingsHtml(const Table& table, const std::string& reference);

@@ -131,15 +131,11 @@ std::string OriginSection(const PageContent& content) {
   return html + "</section>\n";
 }
 
-std::string Navigation(const PageContent& content) {
-  std::vector<Fact> parts = {{"summary", "Summary"}, {"table", "Table"}};
-  if (!content.compared_with.empty()) {
-    parts.emplace_back("comparison", "Compared with " + content.compared_with);
-  }
-  parts.insert(parts.end(), {{"figures", "Figures"},
-                             {"frames", "Frame by frame"},
-                             {"missing", "What is missing"},
-                             {"origin", "Origin of the numbers"}});
+std::string Navigation() {
+  const std::vector<Fact> parts = {
+      {"summary", "Summary"},         {"table", "Table"},
+      {"figures", "Figures"},         {"frames", "Frame by frame"},
+      {"missing", "What is missing"}, {"origin", "Origin of the numbers"}};
   std::string html = "<nav aria-label=\"Parts of this page\"><ul>\n";
   for (const auto& [id, name] : parts) {
     html += StrCat("<li><a href=\"#", id, "\">", Escaped(name), "</a></li>\n");
@@ -185,9 +181,9 @@ std::string PageHtml(const PageContent& content) {
   return HtmlDocument(
       content.title + ": ClusterVO-bench report",
       StrCat("<header>\n", Element("h1", content.title), "\n<p>Results of ClusterVO-bench</p>\n",
-             Navigation(content), "</header>\n<main>\n", SummarySection(content),
-             TableSection(content), ComparisonSection(content), FiguresSection(content),
-             FramesSection(content), MissingSection(content), OriginSection(content), "</main>\n"));
+             Navigation(), "</header>\n<main>\n", SummarySection(content), TableSection(content),
+             FiguresSection(content), FramesSection(content), MissingSection(content),
+             OriginSection(content), "</main>\n"));
 }
 
 }  // namespace cvo::reports

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
-#include <map>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -68,19 +67,6 @@ void ReadSuite(const PageRequest& request, PageContent& content) {
   }
 }
 
-// Compares the two folders. The texts name them without their paths.
-Table Compare(const PageRequest& request) {
-  Table table = CompareFolders(request.against, request.folder);
-  table.reference = request.against.filename().string();
-  table.title = StrCat(request.folder.filename().string(), " against ", table.reference);
-  for (Row& row : table.rows) {
-    for (Cell& cell : row.cells) {
-      if (cell.difference) cell.difference->reference = table.reference;
-    }
-  }
-  return table;
-}
-
 // Removes the path of the folder from messages that name files, since it is private and differs
 // between machines.
 void ForgetFolder(const std::string& folder, PageContent& content) {
@@ -135,10 +121,6 @@ PageContent ReadPage(const PageRequest& request) {
   if (content.table) {
     Try("figures: ", content.problems,
         [&] { content.drawing = MakeSuiteFigures(ReadSuiteData(request.folder, *content.table)); });
-  }
-  if (!request.against.empty()) {
-    content.compared_with = request.against.filename().string();
-    Try("comparison: ", content.problems, [&] { content.comparison = Compare(request); });
   }
   ChooseScenes(content);
   ForgetFolder((request.folder / "").string(), content);

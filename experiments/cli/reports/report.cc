@@ -67,13 +67,6 @@ void AddSceneImages(const fs::path& folder, reports::PageContent& content) {
 reports::PageRequest RequestOf(const ReportFlags& flags) {
   reports::PageRequest request;
   request.folder = NormalFolder(flags.folder);
-  if (!flags.against.empty()) {
-    request.against = NormalFolder(flags.against);
-    if (!fs::exists(request.against / "plan.json")) {
-      throw UsageError(
-          StrCat("--against ", flags.against, ": found no plan.json, expected a suite's folder"));
-    }
-  }
   request.default_options = DefaultOptions();
   for (const VariantInfo& variant : Variants()) {
     request.variants.emplace_back(variant.name, variant.changes);
@@ -87,7 +80,7 @@ int WriteReport(const ReportFlags& flags) {
   const reports::PageRequest request = RequestOf(flags);
   reports::PageContent content = reports::ReadPage(request);
   const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
-  const OutputFolder output = OpenOutput(out, {"index.html"}, {request.folder, request.against});
+  const OutputFolder output = OpenOutput(out, {"index.html"}, {request.folder});
   if (!flags.no_images) {
     AddSceneImages(request.folder, content);
   } else {
@@ -106,7 +99,6 @@ Command AddReportCommand(CLI::App& program) {
   const auto flags = std::make_shared<ReportFlags>();
   add("DIR", flags->folder, "", "output folder of a suite")->required();
   add("-o,--output", flags->out, "OUT", "output folder for index.html; default: DIR/report");
-  add("--against", flags->against, "DIR", "second output folder of the suite to compare with");
   app->add_flag("--no-images", flags->no_images, "write the page without images");
   app->footer(
       "The page is self-contained and works offline. It lists what is missing or failed.\nExit "

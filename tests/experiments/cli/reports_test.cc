@@ -104,15 +104,6 @@ TEST(CliReport, SameBytesInAnyFolder) {
   EXPECT_TRUE(Page(suite.folder().path() / "report") == Page(other));
 }
 
-TEST(CliReport, WritesNothingIfTheOtherSuiteIsMissing) {
-  SuiteResults suite;
-  suite.Add(Result());
-  const ProcessResult run =
-      RunProgram({"report", suite.Written().string(), "--against", "no/such/folder"});
-  ExpectError(run, "--against no/such/folder: found no plan.json", 2);
-  EXPECT_FALSE(fs::exists(suite.folder().path() / "report"));
-}
-
 TEST(CliReport, AMissingPartIsReportedAndTheRestIsWritten) {
   SuiteResults suite;  // without a job
   const ProcessResult run = RunProgram({"report", suite.Written().string()});

@@ -173,45 +173,18 @@ TEST(Page, IsTheSameInAnyFolder) {
   EXPECT_TRUE(page() == page());
 }
 
-TEST(Page, ComparesWithAnotherFolder) {
-  SuiteResults before;
-  before.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.25})})));
-  SuiteResults after;
-  after.Add(WithBodies(Result("a"), Json::array({BodyOf(1, {0.125})})));
-  PageRequest request;
-  request.folder = after.Written();
-  request.against = before.Written();
-  const PageContent content = ReadPage(request);
-  EXPECT_THAT(content.problems, IsEmpty());
-  const std::string page = OwnHtml(content);
-  EXPECT_THAT(page,
-              AllOf(HasSubstr("id=\"comparison\""), HasSubstr("id=\"comparison-table-values\""),
-                    HasSubstr("Compared with " + before.folder().path().filename().string())));
-  EXPECT_THAT(page, Not(HasSubstr(before.folder().path().string())));
-}
-
-TEST(Page, AnImpossibleComparisonIsReported) {
-  SuiteResults after;
-  after.Add(Result("a"));
-  PageRequest request;
-  request.folder = after.Written();
-  request.against = after.folder().path() / "nowhere";
-  const PageContent content = ReadPage(request);
-  ASSERT_EQ(content.problems.size(), 1U);
-  EXPECT_THAT(content.problems[0], HasSubstr("comparison: "));
-  EXPECT_THAT(OwnHtml(content), HasSubstr("The two results cannot be compared"));
-}
-
 TEST(ResultTable, IsWellFormedAndHasValuesForSorting) {
   const std::string html = ResultTable(test::HostileTable(), "t");
   EXPECT_EQ(FirstFlaw(html), "");
-  EXPECT_THAT(html, AllOf(HasSubstr("<th scope=\"row\">&lt;script&gt;alert(&quot;1&quot;)"),
-                          HasSubstr("killed &lt;i&gt;by&lt;/i&gt; signal 9"),
-                          HasSubstr("object ATE<span class=\"unit\"> [m]</span></th>"),
-                          HasSubstr("<td class=\"number best\" data-value=\"0.05761\""),
-                          HasSubstr("<span class=\"mark\">best</span> <span class=\"value\">0.058"
-                                    "</span><span class=\"small\">0.034..0.085</span>"),
-                          HasSubstr(">*</abbr>"), HasSubstr("id=\"t-differences\"")));
+  EXPECT_THAT(
+      html,
+      AllOf(
+          HasSubstr("<th scope=\"row\">&lt;script&gt;alert(&quot;1&quot;)"),
+          HasSubstr("killed &lt;i&gt;by&lt;/i&gt; signal 9"),
+          HasSubstr("object ATE<span class=\"unit\"> [m]</span></th>"),
+          HasSubstr("<td class=\"number\" data-value=\"0.05761\""),
+          HasSubstr("<span class=\"value\">0.058</span><span class=\"small\">0.034..0.085</span>"),
+          HasSubstr(">*</abbr>"), HasSubstr("id=\"t-differences\"")));
 }
 
 // ---- Runs frame by frame

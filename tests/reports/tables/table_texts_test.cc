@@ -134,47 +134,6 @@ TEST(TableTexts, DifferencesHaveSeparateLines) {
   EXPECT_EQ(block.lines[0].cells[0], CellText{});
 }
 
-TEST(BestCells, OnlyComparableReferenceFiguresCompete) {
-  const std::vector<TextLine> lines = MakeTexts(test::HostileTable()).blocks[0].lines;
-  EXPECT_TRUE(lines[3].cells[1].best) << "0.01 m of others under our contract";
-  EXPECT_FALSE(lines[0].cells[1].best);
-  EXPECT_FALSE(lines[2].cells[1].best) << "the smallest number, but of something else";
-  EXPECT_FALSE(lines[7].cells[1].best) << "the smallest of others, by another contract";
-  EXPECT_TRUE(lines[0].cells[2].best) << "more coverage is better";
-  EXPECT_TRUE(lines[0].cells[3].best);
-  EXPECT_FALSE(lines[9].cells[3].best);
-  EXPECT_FALSE(lines[0].cells[0].best) << "all the same";
-  EXPECT_FALSE(lines[0].cells[4].best) << "the only one";
-}
-
-TEST(BestCells, NeedTheSameScenesAndTheSameData) {
-  Table table = test::HostileTable();
-  table.rows[1].runs[1].sequence = "another";
-  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "means over other scenes";
-  table = test::HostileTable();
-  table.rows[1].keys[0] = "another";
-  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "a row of another sequence";
-  table = test::HostileTable();
-  table.columns[3].metric = "unheard_of";
-  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "no direction is known";
-}
-
-TEST(BestCells, RequireCoverage) {
-  Table table = test::HostileTable();
-  table.rows[1].cells[4] = test::CellOf(1.0, 0.0, 2.0);
-  EXPECT_TRUE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
-  table.rows[1].cells[2] = test::CellOf(0.0, 0.0, 0.0);
-  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
-}
-
-TEST(BestCells, TiesAsPrintedAreAllBest) {
-  Table table = test::HostileTable();
-  table.rows[2].cells[3] = test::CellOf(0.05762, 0.034, 0.085);
-  const std::vector<TextLine> lines = MakeTexts(table).blocks[0].lines;
-  EXPECT_TRUE(lines[0].cells[3].best && lines[2].cells[3].best);
-  EXPECT_FALSE(lines[1].cells[3].best);
-}
-
 TEST(Footnotes, StateCounts) {
   EXPECT_THAT(MakeTexts(test::HostileTable()).footnotes,
               AllOf(Contains("n, camera coverage, camera ATE, object coverage, id switches: "
