@@ -125,8 +125,8 @@ void WriteDataset(const SceneDescription& scene, const RenderRequest& request,
                   const std::filesystem::path& folder);
 
 // Returns a contact sheet, CV_8UC3 (BGR): eleven frames spread over the scene's frames [first,
-// end), as left images in colour with tinted masks, visible boxes (solid), amodal boxes (dashed)
-// and names, and a map of the paths of the camera and the bodies from above. Throws Stopped.
+// end), as left images in colour with tinted masks, visible boxes and names, and a map of the paths
+// of the camera and the bodies from above. Throws Stopped.
 cv::Mat MakeContactSheet(const World& world, int first, int end, const DrawingTools& tools,
                          const WorkHooks& hooks);
 
@@ -134,9 +134,8 @@ cv::Mat MakeContactSheet(const World& world, int first, int end, const DrawingTo
 std::vector<cv::Scalar> BodyColours(std::size_t bodies);
 
 // Draws the scene from above, with the world's x to the right and y up: the paths over frames
-// [first, end) of the camera (black, with its field of view at the start) and of the bodies (in
-// their colours, with their boxes at the start), a dot at the end of each path, and a scale bar.
-// Fills `canvas` (CV_8UC3).
+// [first, end) of the camera (black) and of the bodies (in their colours, with their boxes at the
+// start), and a dot at the end of each path. Fills `canvas` (CV_8UC3).
 void DrawPathMap(const World& world, int first, int end, const std::vector<cv::Scalar>& colours,
                  cv::Mat canvas);
 
