@@ -48,7 +48,7 @@ TEST(Baseline, RequiresACompleteSuiteWithTwoSeedsAndOneContractPerMetric) {
   EXPECT_THAT(error(GateFolder(2), 3), HasSubstr("found 2 seeds"));
   const GateFolder folder;
   folder.Edit(GateFolder::Id("street", "full", 2),
-              [](Json& result) { result["metrics"][1]["contract"]["truth"] = "interpolated"; });
+              [](Json& result) { result["metrics"][1]["contract"]["truth"] = "official"; });
   EXPECT_THAT(error(folder), HasSubstr("another contract"));
   std::filesystem::remove_all(folder.path() / "jobs" / GateFolder::Id("room", "full", 3));
   EXPECT_THAT(error(folder), HasSubstr("full on room, detections good, seed 3: found not run"));
