@@ -87,18 +87,6 @@ SweptOption ReadOption(const SuitePlan& plan, const Table& table, std::size_t ke
 std::vector<SweptOption> FindSweptOptions(const SuiteData& data,
                                           std::vector<std::string>& not_drawn) {
   const Table& table = data.table;
-  std::set<std::string> pooled;
-  for (const PlannedRun& run : data.plan.runs) {
-    for (const auto& [key, value] : run.keys) {
-      if (IsOption(key) && std::find(table.keys.begin(), table.keys.end(), key) == table.keys.end())
-        pooled.insert(key);
-    }
-  }
-  for (const std::string& path : pooled) {
-    not_drawn.push_back(
-        StrCat("Sensitivity to ", path,
-               ": the suite's table has no rows by this option; its rows are means over it."));
-  }
   std::vector<SweptOption> options;
   for (std::size_t key = 0; key < table.keys.size(); ++key) {
     if (!IsOption(table.keys[key])) continue;
