@@ -66,14 +66,6 @@ struct ChartLayout {
 // `chart` must outlive the result.
 ChartLayout LayOut(const Chart& chart, const ChartStyle& style);
 
-// A length, or any number, with two decimals at most.
-std::string Num(double value);
-
-// Attributes that colour a fill or a stroke: a value for programs that know no CSS variables, and a
-// class.
-std::string Fill(int colour, double opacity);
-std::string Stroke(const Look& look, double width);
-
 // Estimates of a wide sans serif font, since the fonts of the reader are not known.
 double TextWidth(const std::string& text, double em);
 std::vector<std::string> WrapText(const std::string& text, double width, double em);
