@@ -38,10 +38,9 @@ constexpr std::array<const char*, 7> EnumNames(Subject) {
 enum class PoseTime { kRefined, kCausal, kFile };
 constexpr std::array<const char*, 3> EnumNames(PoseTime) { return {"refined", "causal", "file"}; }
 
-enum class TruthSource { kNone, kDevkit, kInterpolated, kOfficial, kFile, kScene, kLabels };
-constexpr std::array<const char*, 7> EnumNames(TruthSource) {
-  return {"none", "devkit",         "interpolated",        "official",
-          "file", "rendered scene", "labels with 3D boxes"};
+enum class TruthSource { kNone, kDevkit, kOfficial, kFile, kScene, kLabels };
+constexpr std::array<const char*, 6> EnumNames(TruthSource) {
+  return {"none", "devkit", "official", "file", "rendered scene", "labels with 3D boxes"};
 }
 
 // How a body is judged to be visible well enough: by the pixels of its mask and the unoccluded

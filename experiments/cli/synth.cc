@@ -55,7 +55,6 @@ struct RenderFlags {
   SceneFlags scene;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> detectors;
-  bool flow = false;
 };
 
 // Calls work(hooks). Returns 130 if the user stopped it, otherwise 0.
@@ -93,7 +92,6 @@ int Render(const RenderFlags& flags) {
                         {.frames = flags.scene.Frames(),
                          .seed = flags.seed,
                          .detector_levels = flags.detectors,
-                         .flow = flags.flow,
                          .threads = flags.scene.threads,
                          .hooks = hooks},
                         flags.scene.output);
@@ -132,8 +130,6 @@ Command AddRenderCommand(CLI::App& synth) {
   add("--detector", flags->detectors, "LEVEL",
       "detector level: oracle, good or poor; can be repeated; default: all")
       ->allow_extra_args(false);
-  app->add_flag("--flow", flags->flow,
-                "also write optical flow: flow_0/%06d.png in KITTI's encoding");
   app->footer(
       "The seed changes sensor noise and detector errors (and, in clustervo run, the "
       "estimator's\nrandom draws), but not motion, textures or ground truth. Rendered images are "

@@ -234,8 +234,7 @@ std::filesystem::path NormalFolder(const std::filesystem::path& folder);
 
 // Describes what is well-formed but implausible in the calibration, the timestamps and the true
 // poses of a sequence, one line per finding: a baseline not in metres, a gap between frames, a
-// camera or a body that jumps. Empty if nothing is. `bodies` is null if
-// there is no ground truth of bodies.
-std::vector<std::string> FindImplausible(const Sequence& sequence, const ObjectTruth* bodies);
+// camera that jumps. Empty if nothing is.
+std::vector<std::string> FindImplausible(const Sequence& sequence);
 
 }  // namespace cvo

@@ -292,7 +292,7 @@ std::optional<RunResult> RunJob(const RunRequest& request, const std::filesystem
   run->timing.job = run->job;
   run->timing.threads = request.threads;
   run->timing.paths = PathsOf(request.sequence, folder);
-  run->warnings = FindImplausible(request.sequence, bodies);
+  run->warnings = FindImplausible(request.sequence);
   run->scores = ScoreRun(*run, bodies);
   WriteRunFiles(folder, *run, bodies, std::move(landmarks));
   WarnOfMemory(*run, run->warnings);  // no part of the result

@@ -270,8 +270,7 @@ std::string SystemJob(const SystemRequest& request, const Json& hashes) {
 
 // Returns the content of result.json, of kind "run" like that of an own run. Poses are the system's
 // own, null in frames without one.
-std::string ResultOf(const SystemRequest& request, const ObjectTruth* truth,
-                     const SystemOutcome& outcome) {
+std::string ResultOf(const SystemRequest& request, const SystemOutcome& outcome) {
   const Json hashes = HashesOf(request.files);
   reports::RunSummary summary;
   summary.job = SystemJob(request, hashes);
@@ -284,7 +283,7 @@ std::string ResultOf(const SystemRequest& request, const ObjectTruth* truth,
                         {"object_frames_left_out", outcome.object_frames_left_out}};
   summary.seed = request.seed;
   summary.sequence =
-      SequenceOf(request.sequence, request.content, FindImplausible(request.sequence, truth));
+      SequenceOf(request.sequence, request.content, FindImplausible(request.sequence));
   summary.sequence.camera.right_shift_px = request.right_shift_px;
   summary.given = GivenToJson({}, {});
   summary.build = ThisBuild();
@@ -319,7 +318,7 @@ SystemOutcome ScoreSystem(const SystemRequest& request) {
   outcome.metrics = std::move(scores.metrics);
   outcome.bodies = std::move(scores.bodies);
   StatePoses(reports::PoseTime::kRefined, request.right_shift_px, outcome.metrics);
-  outcome.result = ResultOf(request, truth, outcome);
+  outcome.result = ResultOf(request, outcome);
   return outcome;
 }
 

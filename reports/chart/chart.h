@@ -64,16 +64,6 @@ struct Series {
   std::string tip = {};  // tooltip of the whole series; empty: its name
 };
 
-// A cell of a heat map over two category axes.
-struct HeatCell {
-  int column = 0;
-  int row = 0;
-  double value = 0.0;  // -1 (blue) to 1 (orange)
-  std::string text;
-  std::string tip;
-  bool bold = false;
-};
-
 // A region behind the data from the bottom of the panel to its top.
 using Shade = ValueRange;
 
@@ -89,7 +79,7 @@ enum class AxisScale { kLinear, kLog, kCategory };
 struct Axis {
   std::string title;
   AxisScale scale = AxisScale::kLinear;
-  std::vector<std::string> categories = {};  // kCategory: y from top to bottom
+  std::vector<std::string> categories = {};  // kCategory, on y only: from top to bottom
   std::vector<double> ticks = {};            // empty: chosen for the range
   std::optional<double> low = {};            // end of the range; empty: from the data
   std::optional<double> high = {};
@@ -102,7 +92,6 @@ struct Panel {
   Axis x;
   Axis y;
   std::vector<Series> series = {};  // later ones cover earlier ones
-  std::vector<HeatCell> cells = {};
   std::vector<Shade> shades = {};
   std::vector<Rule> rules = {};
   double aspect = 0.25;      // height / width; not of a panel with categories on y
@@ -128,8 +117,8 @@ struct ChartStyle {
 
 // An <svg> element, alone a file that is right on white paper. It has no ids, and its classes begin
 // with "chart". Colours follow these CSS variables where a page sets them, on the page or a parent:
-// --chart-ink, --chart-grid, --chart-paper, --chart-truth, --chart-less and --chart-more (heat
-// maps), --chart-1 to --chart-8. The same chart and style give the same bytes.
+// --chart-ink, --chart-grid, --chart-paper, --chart-truth, --chart-1 to --chart-8. The same chart
+// and style give the same bytes.
 std::string ChartSvg(const Chart& chart, const ChartStyle& style = {});
 
 // The rules of the classes, for a page with several charts.

@@ -74,14 +74,11 @@ std::vector<ValueRange> RangesOf(const Chart& chart, bool x) {
   return ranges;
 }
 
-// Whether the x axis of a panel is labelled: of those that share it in a column, the lowest is, or
-// the highest if the labels are above.
+// Whether the x axis of a panel is labelled: of those that share it in a column, the lowest is.
 bool HasLabelsX(const Chart& chart, std::size_t panel) {
-  const bool above = !chart.panels[panel].cells.empty();
   const auto columns = static_cast<std::size_t>(chart.columns);
-  for (std::size_t i = panel % columns; i < chart.panels.size() && chart.share_x; i += columns) {
-    const bool same = chart.panels[i].x.title == chart.panels[panel].x.title;
-    if (same && (above ? i < panel : i > panel)) return false;
+  for (std::size_t i = panel + columns; i < chart.panels.size() && chart.share_x; i += columns) {
+    if (chart.panels[i].x.title == chart.panels[panel].x.title) return false;
   }
   return true;
 }
@@ -101,7 +98,7 @@ std::vector<Tick> LinearTicks(const ValueRange& range, int most) {
   for (double k = std::ceil(range.low / step - 1e-6); k * step <= range.high + 1e-6 * step; ++k) {
     const double value = k == 0.0 ? 0.0 : k * step;
     const bool plain = decimals <= 6 && std::abs(value) < 1e7;
-    ticks.push_back({value, {plain ? FormatFixed(value, decimals) : FormatGeneral(value, 5)}});
+    ticks.push_back({value, plain ? FormatFixed(value, decimals) : FormatGeneral(value, 5)});
   }
   return ticks;
 }
@@ -117,7 +114,7 @@ std::vector<Tick> LogTicks(const ValueRange& range, int most) {
       const double value = times * std::pow(10.0, k);
       const double at = std::log10(value);
       if (at < range.low - 1e-9 || at > range.high + 1e-9) continue;
-      ticks.push_back({value, {FormatGeneral(value, 5)}});
+      ticks.push_back({value, FormatGeneral(value, 5)});
     }
   }
   return ticks;
@@ -125,9 +122,9 @@ std::vector<Tick> LogTicks(const ValueRange& range, int most) {
 
 std::vector<Tick> TicksOf(const Axis& axis, const ValueRange& range, int most) {
   std::vector<Tick> ticks;
-  for (const double value : axis.ticks) ticks.push_back({value, {FormatGeneral(value, 3)}});
+  for (const double value : axis.ticks) ticks.push_back({value, FormatGeneral(value, 3)});
   for (std::size_t i = 0; i < axis.categories.size(); ++i) {
-    ticks.push_back({static_cast<double>(i), {axis.categories[i]}});
+    ticks.push_back({static_cast<double>(i), axis.categories[i]});
   }
   if (!ticks.empty() || !(range.high > range.low)) return ticks;
   return axis.scale == AxisScale::kLog ? LogTicks(range, most) : LinearTicks(range, most);
@@ -172,26 +169,6 @@ void AddLegend(const Chart& chart, double& y, ChartLayout& layout) {
   if (!names.empty()) y += 2.0 * layout.em;
 }
 
-// The labels of categories below each other, in lines if they fit, upright otherwise.
-void PlaceCategories(double em, PanelPlace& place) {
-  const double slot = place.width / static_cast<double>(place.x.ticks.size()) - 0.3 * em;
-  std::vector<std::vector<std::string>> wrapped;
-  double lines = 1.0;
-  double longest = 0.0;
-  for (const Tick& tick : place.x.ticks) {
-    wrapped.push_back(WrapText(tick.lines.front(), slot, em));
-    lines = std::max(lines, static_cast<double>(wrapped.back().size()));
-    longest = std::max(longest, TextWidth(tick.lines.front(), em));
-    for (const std::string& line : wrapped.back()) {
-      place.upright = place.upright || TextWidth(line, em) > slot;
-    }
-  }
-  place.upright = place.upright || lines > 3.0;
-  place.label_height = place.upright ? longest + 0.3 * em : kLineHeight * em * lines;
-  if (place.upright) return;
-  for (std::size_t i = 0; i < wrapped.size(); ++i) place.x.ticks[i].lines = wrapped[i];
-}
-
 // One unit becomes as long on y as on x: one of the ranges grows.
 void EqualiseScales(const Panel& panel, PanelPlace& place) {
   const double x = place.x.range.high - place.x.range.low;
@@ -216,8 +193,6 @@ void Measure(const Panel& panel, double em, PanelPlace& place) {
   if (panel.equal_scale) EqualiseScales(panel, place);
   place.x.ticks = TicksOf(panel.x, place.x.range, TicksAlong(place.width, 5.0 * em));
   place.y.ticks = TicksOf(panel.y, place.y.range, TicksAlong(place.height, 2.4 * em));
-  place.label_height = kLineHeight * em;
-  if (panel.x.scale == AxisScale::kCategory) PlaceCategories(em, place);
   if (panel.y.scale == AxisScale::kCategory) std::swap(place.y.range.low, place.y.range.high);
 }
 
@@ -233,7 +208,7 @@ double LeftMargin(const Chart& chart, std::size_t column, const ChartLayout& lay
     double widest = 0.0;
     const int ticks = TicksAlong(panel.aspect * usual, 2.4 * em);
     for (const Tick& tick : TicksOf(panel.y, layout.panels[i].y.range, ticks)) {
-      widest = std::max(widest, TextWidth(tick.lines.front(), em));
+      widest = std::max(widest, TextWidth(tick.label, em));
     }
     const double lines =
         static_cast<double>(WrapText(panel.y.title, 0.9 * panel.aspect * usual, em).size());
@@ -272,13 +247,13 @@ void PlaceRow(const Chart& chart, std::size_t first, double& y, ChartLayout& lay
     PanelPlace& place = layout.panels[i];
     Measure(chart.panels[i], em, place);
     height = std::max(height, place.height);
-    double labels = place.labels_x ? place.label_height + 0.5 * em : 0.0;
+    double labels = place.labels_x ? kLineHeight * em + 0.5 * em : 0.0;
     if (place.labels_x && !chart.panels[i].x.title.empty()) labels += kLineHeight * em;
-    if (!place.above) below = std::max(below, labels + 0.4 * em);
+    below = std::max(below, labels + 0.4 * em);
     const bool has_rules = std::any_of(chart.panels[i].rules.begin(), chart.panels[i].rules.end(),
                                        [](const Rule& rule) { return !rule.text.empty(); });
     const bool titled = !chart.panels[i].title.empty() || has_rules;
-    above = std::max(above, (titled ? 1.7 * em : 0.6 * em) + (place.above ? labels : 0.0));
+    if (titled) above = 1.7 * em;
   }
   for (std::size_t i = first; i < end; ++i) {
     PanelPlace& place = layout.panels[i];
@@ -339,7 +314,6 @@ ChartLayout LayOut(const Chart& chart, const ChartStyle& style) {
     PanelPlace place;
     place.x = {panel.x.scale, x_ranges[i], {}, {}};
     place.y = {panel.y.scale, y_ranges[i], {}, {}};
-    place.above = !panel.cells.empty();
     place.labels_x = HasLabelsX(chart, i);
     place.labels_y = !chart.share_y || i % columns == 0;
     layout.panels.push_back(std::move(place));

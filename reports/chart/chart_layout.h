@@ -16,7 +16,7 @@ inline constexpr double kLineHeight = 1.3;  // distance of lines of text (em)
 
 struct Tick {
   double value = 0.0;
-  std::vector<std::string> lines;  // of its label
+  std::string label;
 };
 
 // The range of an axis (logarithms for kLog), and the lengths between which it is drawn.
@@ -39,9 +39,6 @@ struct PanelPlace {
   Scale y;
   bool labels_x = true;
   bool labels_y = true;
-  bool above = false;    // the labels of x are above the panel
-  bool upright = false;  // and run upwards
-  double label_height = 0.0;
 };
 
 struct ChartText {
@@ -68,16 +65,6 @@ struct ChartLayout {
 
 // `chart` must outlive the result.
 ChartLayout LayOut(const Chart& chart, const ChartStyle& style);
-
-// A length, or any number, with two decimals at most.
-std::string Num(double value);
-
-// Attributes that colour a fill or a stroke: a value for programs that know no CSS variables, and a
-// class.
-std::string Fill(int colour, double opacity);
-std::string Stroke(const Look& look, double width);
-// Of a cell of a heat map.
-std::string HeatFill(double value);
 
 // Estimates of a wide sans serif font, since the fonts of the reader are not known.
 double TextWidth(const std::string& text, double em);

@@ -12,6 +12,39 @@
 namespace cvo::reports {
 namespace {
 
+// The grey of the truth, then the colours of Okabe and Ito, which colour-blind people can tell
+// apart, and two more.
+constexpr std::array kColours = {"#8a8a8a", "#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                 "#e69f00", "#56b4e9", "#a0892c", "#7a5195"};
+constexpr std::array kDashes = {"", "5 3", "5 2 1 2", "9 3", "1 2.5"};  // in line widths
+
+// A number with two decimals at most.
+std::string Num(double value) {
+  std::string text = FormatFixed(value, 2);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+// Attributes that colour a fill or a stroke: a value for programs that know no CSS variables, and a
+// class.
+std::string Fill(int colour, double opacity) {
+  return StrCat(" class=\"chart-f", colour, "\" fill=\"",
+                kColours.at(static_cast<std::size_t>(colour)), "\"",
+                opacity < 1.0 ? StrCat(" fill-opacity=\"", Num(opacity), "\"") : "");
+}
+
+std::string Stroke(const Look& look, double width) {
+  std::string text = StrCat(" class=\"chart-s", look.colour, "\" fill=\"none\" stroke=\"",
+                            kColours.at(static_cast<std::size_t>(look.colour)),
+                            "\" stroke-width=\"", Num(width), "\"");
+  if (look.opacity < 1.0) text += StrCat(" stroke-opacity=\"", Num(look.opacity), "\"");
+  if (look.dash > 0) {
+    text += StrCat(" stroke-dasharray=\"", kDashes.at(static_cast<std::size_t>(look.dash)), "\"");
+  }
+  return text;
+}
+
 // Symbols of radius 1. The last one is a stroke.
 constexpr std::array kSymbols = {"",
                                  "M-1 0a1 1 0 1 0 2 0a1 1 0 1 0-2 0Z",
@@ -65,11 +98,6 @@ class SvgWriter {
     out_ += StrCat("<text x=\"", Num(x), "\" y=\"", Num(y), "\"", attributes, ">", Text(text),
                    "</text>\n");
   }
-  void PutUpwards(double x, double y, const std::string& text, const char* anchor) {
-    Put(x, y, text,
-        StrCat(" text-anchor=\"", anchor, "\" transform=\"rotate(-90 ", Num(x), " ", Num(y),
-               ")\""));
-  }
   void Line(double x1, double y1, double x2, double y2) {
     out_ += StrCat("<path d=\"M", Num(x1), " ", Num(y1), "L", Num(x2), " ", Num(y2), "\"/>\n");
   }
@@ -108,7 +136,6 @@ class SvgWriter {
   void Draw(const Panel& panel, const PanelPlace& place) {
     panel_ = {place.left, place.top, place.left + place.width, place.top + place.height};
     Background(panel, place);
-    for (const HeatCell& cell : panel.cells) DrawCell(cell, place);
     texts_.clear();
     for (const Series& series : panel.series) DrawSeries(series, place);
     for (const Series& series : panel.series) {
@@ -125,11 +152,10 @@ class SvgWriter {
       Rect({place.x.Of(shade.low), panel_.top, place.x.Of(shade.high), panel_.bottom},
            " class=\"chart-shade\" fill=\"#dddddd\" fill-opacity=\"0.6\"");
     }
-    if (!panel.cells.empty()) return;
     out_ += "<g class=\"chart-grid\" fill=\"none\" stroke=\"#dddddd\" stroke-width=\"0.5\">\n";
     for (const Tick& tick : place.x.ticks) {
       const double x = place.x.Of(tick.value);
-      if (place.x.kind != AxisScale::kCategory) Line(x, panel_.top, x, panel_.bottom);
+      Line(x, panel_.top, x, panel_.bottom);
     }
     for (const Tick& tick : place.y.ticks) {
       const double y = place.y.Of(tick.value);
@@ -152,50 +178,31 @@ class SvgWriter {
   }
 
   void Axes(const Panel& panel, const PanelPlace& place) {
-    if (panel.cells.empty()) {
-      out_ += StrCat("<path class=\"chart-axis\" fill=\"none\" stroke=\"#222222\" d=\"M",
-                     Num(panel_.left), " ", Num(panel_.top), "V", Num(panel_.bottom), "H",
-                     Num(panel_.right), "\" stroke-width=\"0.7\"/>\n");
-    }
-    if (!panel.title.empty()) {
-      const double labels = place.above && place.labels_x ? place.label_height + 0.5 * em_ : 0.0;
-      Put(panel_.left, panel_.top - 0.5 * em_ - labels, panel.title, " font-weight=\"bold\"");
-    }
+    out_ += StrCat("<path class=\"chart-axis\" fill=\"none\" stroke=\"#222222\" d=\"M",
+                   Num(panel_.left), " ", Num(panel_.top), "V", Num(panel_.bottom), "H",
+                   Num(panel_.right), "\" stroke-width=\"0.7\"/>\n");
+    Put(panel_.left, panel_.top - 0.5 * em_, panel.title, " font-weight=\"bold\"");
     if (place.labels_x) AxisX(panel, place);
     if (place.labels_y) AxisY(panel, place);
   }
 
   void AxisX(const Panel& panel, const PanelPlace& place) {
-    const double line = kLineHeight * em_;
     double free = -1e9;  // where the label before ends
     for (const Tick& tick : place.x.ticks) {
       const double x = place.x.Of(tick.value);
-      if (place.upright) {
-        const double y = place.above ? panel_.top - 0.4 * em_ : panel_.bottom + 0.4 * em_;
-        PutUpwards(x + 0.35 * em_, y, tick.lines.front(), place.above ? "start" : "end");
-        continue;
-      }
-      const double half = 0.5 * TextWidth(tick.lines.front(), em_);
-      if (place.x.kind != AxisScale::kCategory && x - half < free) continue;
+      const double half = 0.5 * TextWidth(tick.label, em_);
+      if (x - half < free) continue;
       free = x + half + 0.5 * em_;
-      double y = place.above
-                     ? panel_.top + 0.9 * em_ - line * static_cast<double>(tick.lines.size())
-                     : panel_.bottom + 1.2 * em_;
-      for (const std::string& text : tick.lines) {
-        Put(x, y, text, " text-anchor=\"middle\"");
-        y += line;
-      }
+      Put(x, panel_.bottom + 1.2 * em_, tick.label, " text-anchor=\"middle\"");
     }
-    Put(0.5 * (panel_.left + panel_.right),
-        place.above ? panel_.top - place.label_height - 0.5 * em_
-                    : panel_.bottom + place.label_height + 1.3 * em_,
+    Put(0.5 * (panel_.left + panel_.right), panel_.bottom + (kLineHeight + 1.3) * em_,
         panel.x.title, " text-anchor=\"middle\"");
   }
 
   void AxisY(const Panel& panel, const PanelPlace& place) {
     double widest = 0.0;
     for (const Tick& tick : place.y.ticks) {
-      const std::string& text = tick.lines.front();
+      const std::string& text = tick.label;
       widest = std::max(widest, TextWidth(text, em_));
       Put(panel_.left - 0.5 * em_, place.y.Of(tick.value) + 0.35 * em_, text,
           " text-anchor=\"end\"");
@@ -204,18 +211,11 @@ class SvgWriter {
     double x = panel_.left - widest - 1.0 * em_ -
                kLineHeight * em_ * (static_cast<double>(lines.size()) - 1.0);
     for (const std::string& text : lines) {
-      PutUpwards(x, 0.5 * (panel_.top + panel_.bottom), text, "middle");
+      const double y = 0.5 * (panel_.top + panel_.bottom);
+      Put(x, y, text,
+          StrCat(" text-anchor=\"middle\" transform=\"rotate(-90 ", Num(x), " ", Num(y), ")\""));
       x += kLineHeight * em_;
     }
-  }
-
-  void DrawCell(const HeatCell& cell, const PanelPlace& place) {
-    const Box box{place.x.Of(cell.column - 0.5), place.y.Of(cell.row - 0.5),
-                  place.x.Of(cell.column + 0.5) - 0.6, place.y.Of(cell.row + 0.5) - 0.6};
-    Rect(box, HeatFill(cell.value), cell.tip);
-    Put(place.x.Of(cell.column), place.y.Of(cell.row) + 0.35 * em_, cell.text,
-        StrCat(" text-anchor=\"middle\" pointer-events=\"none\"",
-               cell.bold ? " font-weight=\"bold\"" : ""));
   }
 
   bool Holds(const Datum& datum, const PanelPlace& place) const {
@@ -328,6 +328,19 @@ class SvgWriter {
 
 std::string ChartSvg(const Chart& chart, const ChartStyle& style) {
   return SvgWriter(chart, style).Write();
+}
+
+std::string ChartCss() {
+  std::string css =
+      "svg.chart{fill:var(--chart-ink,#222222);background:var(--chart-paper,#ffffff)}"
+      ".chart-axis{stroke:var(--chart-ink,#222222)}.chart-grid{stroke:var(--chart-grid,#dddddd)}"
+      ".chart-shade{fill:var(--chart-grid,#dddddd)}";
+  for (std::size_t i = 0; i < kColours.size(); ++i) {
+    const std::string value =
+        StrCat("var(--chart-", i == 0 ? "truth" : StrCat(i), ",", kColours[i], ")}");
+    css += StrCat(".chart-s", i, "{stroke:", value, ".chart-f", i, "{fill:", value);
+  }
+  return css;
 }
 
 }  // namespace cvo::reports

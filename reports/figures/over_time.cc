@@ -163,13 +163,6 @@ Figure ErrorFigure(const DrawnScene& scene, const std::vector<const BodyDetail*>
       "Dotted: predicted by the motion model alone. Gaps: no estimate that counts. Shaded: the "
       "body is not visible.";
   if (scale.log) caption += " The scale of errors is logarithmic.";
-  for (const DrawnRun* run : scene.runs) {
-    const bool silent = std::none_of(bodies.begin(), bodies.end(), [&](const BodyDetail* drawn) {
-      const BodyDetail* body = FindBody(*run, drawn->id);
-      return body != nullptr && !body->estimated.empty();
-    });
-    if (silent) caption += StrCat(" No estimate of these bodies: ", run->variant, ".");
-  }
   return {"error-over-time-" + Slug(scene.sequence),
           StrCat("Position error of moving bodies on ", SceneText(scene)), caption,
           std::move(chart)};

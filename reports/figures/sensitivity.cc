@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
@@ -33,21 +32,11 @@ struct SweptOption {
   std::vector<SweptLine> lines;
 };
 
-// How much the steps between values differ from their mean.
-double Unevenness(const std::vector<double>& values) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
-  return std::sqrt(SquaresAroundMean(steps)) / MeanOf(steps);
-}
-
-// Whether the values are spaced more evenly by their logarithm. They must span nearly a decade.
+// Whether the values span so much that a logarithmic axis is needed.
 bool AreLogSpaced(const std::vector<double>& ascending) {
-  constexpr double kMinRatio = 8.0;
-  if (ascending.size() < 3 || ascending.front() <= 0.0) return false;
-  if (ascending.back() / ascending.front() < kMinRatio) return false;
-  std::vector<double> logarithms;
-  for (const double value : ascending) logarithms.push_back(std::log(value));
-  return Unevenness(logarithms) < Unevenness(ascending);
+  constexpr double kMinRatio = 10.0;
+  return ascending.size() >= 3 && ascending.front() > 0.0 &&
+         ascending.back() / ascending.front() >= kMinRatio;
 }
 
 // Whether all other options are at their defaults, as in a suite that varies one option at a time.
@@ -98,18 +87,6 @@ SweptOption ReadOption(const SuitePlan& plan, const Table& table, std::size_t ke
 std::vector<SweptOption> FindSweptOptions(const SuiteData& data,
                                           std::vector<std::string>& not_drawn) {
   const Table& table = data.table;
-  std::set<std::string> pooled;
-  for (const PlannedRun& run : data.plan.runs) {
-    for (const auto& [key, value] : run.keys) {
-      if (IsOption(key) && std::find(table.keys.begin(), table.keys.end(), key) == table.keys.end())
-        pooled.insert(key);
-    }
-  }
-  for (const std::string& path : pooled) {
-    not_drawn.push_back(
-        StrCat("Sensitivity to ", path,
-               ": the suite's table has no rows by this option; its rows are means over it."));
-  }
   std::vector<SweptOption> options;
   for (std::size_t key = 0; key < table.keys.size(); ++key) {
     if (!IsOption(table.keys[key])) continue;

@@ -131,7 +131,7 @@ void Track::Add(int frame, double x, double y) {
 
 SuiteFigures MakeSuiteFigures(const SuiteData& data) {
   SuiteFigures figures;
-  AddErrorChange(data, figures);
+  AddAblation(data, figures);
   AddSensitivity(data, figures);
   AddErrorOverTime(data, figures);
   AddTrajectories(data, figures);

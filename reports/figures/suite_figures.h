@@ -85,8 +85,8 @@ struct Track {
 
 // Each of these functions adds the figures of its kind, or says why there are none.
 
-// Change in error by sequence, against the reference of the table.
-void AddErrorChange(const SuiteData& data, SuiteFigures& figures);
+// Paired differences from the reference of the table, as a forest plot.
+void AddAblation(const SuiteData& data, SuiteFigures& figures);
 // Metrics over the value of an option, with their coverage.
 void AddSensitivity(const SuiteData& data, SuiteFigures& figures);
 void AddErrorOverTime(const SuiteData& data, SuiteFigures& figures);

@@ -3,7 +3,6 @@
 #include "reports/gate/baseline.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "core/base/error.h"
@@ -91,7 +90,7 @@ std::vector<BaselineMetric> CollectMetrics(const GateRuns& runs, const std::stri
   return metrics;
 }
 
-BaselineJob MakeJob(const SuiteRun& run, const std::map<std::string, double>& ratios) {
+BaselineJob MakeJob(const SuiteRun& run) {
   if (!run.run) {
     ThrowError(RunLabel(run.planned.keys, run.planned.seed),
                run.state + (run.message.empty() ? "" : ": " + run.message),
@@ -104,42 +103,9 @@ BaselineJob MakeJob(const SuiteRun& run, const std::map<std::string, double>& ra
                   .content = sequence.content,
                   .frames = sequence.frames,
                   .status = run.state,
-                  .values = {},
-                  .time_ratio = {}};
+                  .values = {}};
   for (const MetricValue& metric : run.run->metrics) job.values[metric.name] = metric.value;
-  const auto ratio = ratios.find(run.planned.job);
-  if (ratio != ratios.end()) job.time_ratio = std::round(1e4 * ratio->second) / 1e4;
   return job;
-}
-
-// Zero if it is not known.
-double EstimateTimeMs(const fs::path& file) {
-  try {
-    const auto timing = ReadRecord<TimingData>(file);
-    const auto estimate = timing.stages.find("estimate");
-    return estimate == timing.stages.end() ? 0.0 : estimate->second.median_ms;
-  } catch (const Error&) {
-    return 0.0;
-  }
-}
-
-std::map<std::string, double> TimeRatios(const fs::path& folder,
-                                         const std::vector<SuiteRun>& runs) {
-  std::map<std::pair<RunKeys, std::uint64_t>, double> times_ms;
-  for (const SuiteRun& run : runs) {
-    const double time_ms = EstimateTimeMs(folder / "jobs" / run.planned.job / "timing.json");
-    if (run.run && time_ms > 0.0) times_ms[{run.planned.keys, run.planned.seed}] = time_ms;
-  }
-  std::map<std::string, double> ratios;
-  for (const SuiteRun& run : runs) {
-    RunKeys reference_keys = run.planned.keys;
-    reference_keys["variant"] = kTimeReference;
-    const auto time = times_ms.find({run.planned.keys, run.planned.seed});
-    const auto reference = times_ms.find({reference_keys, run.planned.seed});
-    if (time == times_ms.end() || reference == times_ms.end() || time == reference) continue;
-    ratios[run.planned.job] = time->second / reference->second;
-  }
-  return ratios;
 }
 
 }  // namespace
@@ -170,7 +136,7 @@ Baseline MakeBaseline(const fs::path& folder, std::size_t gate_seeds) {
   const GateRuns runs = ReadGateRuns(folder);
   if (runs.runs.empty()) ThrowError(folder.string(), "no job of a variant", "at least one");
   Baseline baseline;
-  for (const SuiteRun& run : runs.runs) baseline.jobs.push_back(MakeJob(run, runs.time_ratios));
+  for (const SuiteRun& run : runs.runs) baseline.jobs.push_back(MakeJob(run));
   const BuildInfo& build = runs.runs.front().run->build;
   baseline.suite = runs.suite;
   baseline.build = {build.identity, build.commit, build.Platform()};
@@ -185,8 +151,7 @@ GateRuns ReadGateRuns(const fs::path& folder, std::vector<std::string> metrics) 
   if (metrics.empty()) metrics = WithCoverage(plan.metrics);
   std::erase_if(metrics, [](const std::string& metric) { return !FindEntry(metric); });
   std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);
-  std::map<std::string, double> ratios = TimeRatios(folder, runs);
-  return {plan.name, std::move(metrics), std::move(runs), std::move(ratios)};
+  return {plan.name, std::move(metrics), std::move(runs)};
 }
 
 Contract GateContract(const RunSummary& run, const MetricValue& metric) {

@@ -34,10 +34,8 @@ struct BaselineJob {
   std::optional<int> frames;             // of the run; absent from older files
   std::string status;                    // "ok" or "lost"
   std::map<std::string, double> values;  // by metric, without those that the run lacks
-  std::optional<double> time_ratio;      // estimate time divided by that of kTimeReference
 
-  CVO_RECORD(CVO_FIELD(keys, seed, type, content) CVO_OPTIONAL(frames) CVO_FIELD(status, values)
-                 CVO_OPTIONAL(time_ratio));
+  CVO_RECORD(CVO_FIELD(keys, seed, type, content) CVO_OPTIONAL(frames) CVO_FIELD(status, values));
 };
 
 struct BaselineBuild {
@@ -77,17 +75,11 @@ std::string BaselineText(const Baseline& baseline);
 // that is not done, contracts that differ, fewer than two seeds, or no metric.
 Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seeds = 0);
 
-// Reference variant for times: across computers and days, only ratios are comparable.
-inline constexpr char kTimeReference[] = "static";
-
 // The runs of a folder that the gate considers: those of the program's own variants.
 struct GateRuns {
   std::string suite;
   std::vector<std::string> metrics;  // those read, as far as FindEntry knows them
   std::vector<SuiteRun> runs;
-  // By job, the median time of its estimate divided by that of kTimeReference with otherwise the
-  // same keys and seed. Without jobs for which either is not known, and those of kTimeReference.
-  std::map<std::string, double> time_ratios;
 };
 
 // Reads the runs with these metrics or, if there are none, with the table's and their coverage.

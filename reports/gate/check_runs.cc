@@ -93,31 +93,6 @@ Comparison Judge(const Candidate& candidate, std::size_t comparisons) {
   return comparison;
 }
 
-// One comparison per variant, from the runs for which both sides have a time ratio. The limit is a
-// quarter more, and three standard errors of the paired differences of the logarithms.
-std::vector<TimeComparison> CompareTimes(const std::vector<RunPair>& pairs) {
-  std::map<std::string, std::pair<double, std::vector<double>>> logarithms;  // by variant
-  for (const RunPair& pair : pairs) {
-    const double then = pair.baseline->time_ratio.value_or(0.0);
-    const double now = pair.time_ratio.value_or(0.0);
-    if (then <= 0.0 || now <= 0.0) continue;
-    auto& [sum, differences] = logarithms[pair.baseline->keys.at("variant")];
-    sum += std::log(then);
-    differences.push_back(std::log(now / then));
-  }
-  std::vector<TimeComparison> times;
-  for (const auto& [variant, of_variant] : logarithms) {
-    const auto& [sum, differences] = of_variant;
-    const auto count = static_cast<double>(differences.size());
-    const double squares = SquaresAroundMean(differences);
-    const double error = count > 1.0 ? std::sqrt(squares / (count - 1.0) / count) : 0.0;
-    const double then = std::exp(sum / count);
-    times.push_back({variant, then, then * std::exp(MeanOf(differences)),
-                     std::max(1.25, std::exp(3.0 * error))});
-  }
-  return times;
-}
-
 class Check {
  public:
   Check(const GateRuns& runs, const Baseline& baseline) : baseline_(baseline), runs_(runs) {}
@@ -133,7 +108,6 @@ class Check {
     report_.runs = pairs_.size();
     report_.comparisons = CompareValues(baseline_, pairs_);
     if (report_.comparisons.empty()) Fail(runs_.suite, "nothing was compared");
-    report_.times = CompareTimes(pairs_);
     CheckPlatform(exact);
     AddNotes();
     return std::move(report_);
@@ -166,7 +140,7 @@ class Check {
       return Fail(label, StrCat(sequence.frames, " frames, in the baseline ", *job.frames));
     }
     if (!job.content.empty() && sequence.content != job.content) ++other_images_;
-    RunPair pair{&job, {}, std::nullopt};
+    RunPair pair{&job, {}};
     for (const BaselineMetric& metric : baseline_.metrics) {
       const bool expected = job.values.contains(metric.name);
       const MetricValue* value = FindMetric(*run->run, metric.name);
@@ -175,8 +149,6 @@ class Check {
       if (value == nullptr || !expected || !HasSameMeaning(metric, *run->run, *value)) continue;
       pair.values[metric.name] = value->value;
     }
-    const auto ratio = runs_.time_ratios.find(run->planned.job);
-    if (ratio != runs_.time_ratios.end()) pair.time_ratio = ratio->second;
     pairs_.push_back(std::move(pair));
   }
 
@@ -228,18 +200,6 @@ class Check {
       report_.notes.emplace_back(
           "better than the baseline by more than the tolerance: update the baseline to hold this "
           "level");
-    }
-    for (const TimeComparison& time : report_.times) {
-      if (!time.slower()) continue;
-      report_.notes.push_back(StrCat(time.variant,
-                                     " is slower than it was, measured in the time of ",
-                                     kTimeReference, " (not part of the verdict)"));
-    }
-    for (const RunPair& pair : pairs_) {
-      if (!pair.baseline->time_ratio || pair.time_ratio) continue;
-      AddOnce(StrCat("no time of ", pair.baseline->keys.at("variant"), " against ", kTimeReference,
-                     " in some runs"),
-              report_.notes);
     }
   }
 

@@ -35,16 +35,6 @@ struct Comparison {
   double difference() const { return now - baseline; }
 };
 
-// Estimate time of a variant, as a ratio to that of kTimeReference in the same runs.
-struct TimeComparison {
-  std::string variant;
-  double baseline = 0.0;  // geometric mean of the ratios
-  double now = 0.0;
-  double limit = 1.0;  // slower if now / baseline exceeds it
-
-  bool slower() const { return now > limit * baseline; }
-};
-
 struct GateReport {
   std::string suite;
   std::string baseline_commit;
@@ -54,7 +44,6 @@ struct GateReport {
   // program with the baseline's estimator has none.
   std::size_t changed = 0;
   std::vector<Comparison> comparisons;
-  std::vector<TimeComparison> times;
   std::vector<std::string> notes;
 
   std::size_t Count(Verdict verdict) const;
@@ -74,7 +63,6 @@ GateReport CheckRuns(const std::filesystem::path& folder, const Baseline& baseli
 struct RunPair {
   const BaselineJob* baseline = nullptr;
   std::map<std::string, double> values;  // of the run to check, by metric; only comparable ones
-  std::optional<double> time_ratio;
 };
 
 // Returns one comparison per variant and metric over all scenes and, if there are several, one for

@@ -53,17 +53,6 @@ TextRows MovedRows(const GateReport& report) {
   return rows;
 }
 
-TextRows TimeRows(const GateReport& report) {
-  TextRows rows = {{"variant", StrCat("time / ", kTimeReference, ", then"), "now", "factor",
-                    "limit", "verdict"}};
-  for (const TimeComparison& time : report.times) {
-    rows.push_back({time.variant, FormatGeneral(time.baseline, 3), FormatGeneral(time.now, 3),
-                    FormatGeneral(time.now / time.baseline, 3), FormatGeneral(time.limit, 3),
-                    time.slower() ? "SLOWER" : "within"});
-  }
-  return rows;
-}
-
 // Aligned columns after an empty line. Empty if there is only a header.
 std::string AlignedText(const TextRows& rows) {
   if (rows.size() < 2) return "";
@@ -115,8 +104,7 @@ std::string GateText(const GateReport& report) {
                            "intended, update the baseline"));
   }
   return StrCat(Headline(report), "\n", AlignedText(MovedRows(report)),
-                AlignedText(TimeRows(report)), ListText("problems", problems),
-                ListText("notes", report.notes));
+                ListText("problems", problems), ListText("notes", report.notes));
 }
 
 std::string GateMarkdown(const GateReport& report) {

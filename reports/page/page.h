@@ -18,14 +18,6 @@ namespace cvo::reports {
 // A name and a value, both for readers.
 using Fact = std::pair<std::string, std::string>;
 
-// A job of the suite, and what produced its result.
-struct PageRun {
-  SuiteRun run;
-  std::vector<Fact> build;           // commit, compiler, versions
-  std::vector<Fact> machine;         // host, processor
-  std::vector<std::string> missing;  // files that cannot be read, and why
-};
-
 // A drawn left image.
 struct PageImage {
   int frame = 0;  // number in the folder of the sequence
@@ -33,11 +25,9 @@ struct PageImage {
   std::string alt;  // what the picture shows, in words
 };
 
-// A run that is shown frame by frame.
+// A run whose images are shown frame by frame.
 struct PageScene {
   std::size_t run = 0;  // index in PageContent::runs
-  bool wants_images = false;
-  RunDetail detail = {};
   std::vector<PageImage> images = {};
   std::string no_images = {};  // why there are none
 };
@@ -47,30 +37,27 @@ struct PageContent {
   std::string title;
   std::string about;
   std::optional<Table> table;
-  std::optional<Table> comparison;
-  std::string compared_with;   // name of the folder compared with
-  std::vector<PageRun> runs;   // in the order of the plan
+  std::vector<SuiteRun> runs;  // in the order of the plan
   std::vector<Fact> variants;  // variants of the suite, each with its meaning
   SuiteFigures drawing;
   std::vector<PageScene> scenes;
-  std::size_t scenes_left_out = 0;
+  std::vector<std::string> origins;  // the programs and machines that made the results
+  std::vector<std::string> missing;  // files that cannot be read, and why
   std::vector<std::string> problems;
 };
 
 struct PageRequest {
-  std::filesystem::path folder;   // output folder of a suite
-  std::filesystem::path against;  // output folder to compare with; empty: none
-  std::string default_options;    // nested JSON; empty: unknown
-  std::vector<Fact> variants;     // all variants, each with its meaning
+  std::filesystem::path folder;  // output folder of a suite
+  std::string default_options;   // nested JSON; empty: unknown
+  std::vector<Fact> variants;    // all variants, each with its meaning
 };
 
 // Reads whatever can be read from the folder. Throws Error only if it holds no plan.json.
 PageContent ReadPage(const PageRequest& request);
 
-// Chooses at most `most` runs to be shown frame by frame: per sequence the lowest seed of each
-// estimator, those with images first. Images are shown for one estimator per sequence: `full`, else
-// the reference of the table, else the first one of the sequence.
-void ChooseScenes(std::size_t most, PageContent& content);
+// Chooses the run of each sequence whose images are shown: of `full`, else of the reference of the
+// table, else of the first variant; of its seeds the lowest.
+void ChooseScenes(PageContent& content);
 
 // One self-contained page, which needs no network. The same content gives the same bytes. All
 // statements are in its HTML; its script only sorts, unfolds and moves through frames.
@@ -102,11 +89,8 @@ std::string HtmlDocument(const std::string& title, const std::string& body);
 std::string_view PageStyle();
 std::string_view PageScript();
 
-// Sections of the page of a suite. Each is there even if it only says that there is nothing to
-// show, except that a page compared with nothing has no comparison.
+// What the suite compared, and what differs from the reference of its table.
 std::string SummarySection(const PageContent& content);
-std::string ComparisonSection(const PageContent& content);
-std::string FramesSection(const PageContent& content);
 
 // What differs between the rows of a table and their reference.
 std::string FindingsHtml(const Table& table, const std::string& reference);

@@ -16,27 +16,6 @@ function element(tag, text = '') {
   return made;
 }
 
-function svgElement(tag, attributes) {
-  const made = document.createElementNS('http://www.w3.org/2000/svg', tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-  return made;
-}
-
-const words = (text) => (text ? text.split(' ') : []);
-const numbers = (text) => words(text).map(Number);
-
-// Index of the last number that is at most `most` in an ascending list; -1: none.
-function lastAtMost(list, most) {
-  let low = 0;
-  let high = list.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (list[middle] <= most) low = middle + 1;
-    else high = middle;
-  }
-  return low - 1;
-}
-
 // So that the address can be copied.
 function setAddress(...parts) {
   history.replaceState(null, '', `#${parts.join('/')}`);
@@ -104,79 +83,19 @@ function makeSortable(table) {
 
 // ---- Runs frame by frame
 
-function lengthText(mm) {
-  if (mm < 10) return `${mm.toFixed(2)} mm`;
-  return mm < 1000 ? `${(mm / 10).toFixed(1)} cm` : `${(mm / 1000).toFixed(2)} m`;
-}
-
-// A path of the map: `show` draws it up to a frame and returns what there is to say about it.
-function pathOf(line) {
-  const { name, mark = '', marked } = line.dataset;
-  const frames = numbers(line.dataset.frames);
-  const errors = words(line.dataset.errorsMm);
-  const points = words(line.getAttribute('points'));
-  const hidden = new Set(numbers(marked));
-  const isTruth = line.classList.contains('truth');
-  const size = Number(line.ownerSVGElement.getAttribute('font-size'));
-  const colour = line.getAttribute('stroke');
-  const here = svgElement('circle', { r: size / 3, class: `here ${line.classList}` });
-  if (colour) here.setAttribute('stroke', colour);
-  const label = svgElement('text', { class: 'here' });
-  label.textContent = /^cluster (\d+)/.exec(name)?.[1] ?? '';
-  line.ownerSVGElement.append(here, label);
-  return (frame) => {
-    const last = lastAtMost(frames, frame);
-    const isHere = last >= 0 && frames[last] === frame;
-    for (const part of [here, label]) part.toggleAttribute('hidden', !isHere);
-    if (!isTruth) line.setAttribute('points', points.slice(0, last + 1).join(' '));
-    if (!isHere) return null;
-    const [x, y] = numbers(points[last].replace(',', ' '));
-    here.setAttribute('cx', x);
-    here.setAttribute('cy', y);
-    here.classList.toggle('marked', hidden.has(frame));
-    label.setAttribute('x', x + size / 2);
-    label.setAttribute('y', y - size / 2);
-    if (isTruth) return null;
-    const error = errors[last] === '-' ? '' : `, ${lengthText(Number(errors[last]))} off`;
-    return `${name}${hidden.has(frame) ? `: ${mark}` : ''}${error}`;
-  };
-}
-
-function runOf(place) {
-  const paths = [...place.querySelectorAll('.map polyline[data-name]')].map(pathOf);
-  const images = [...place.querySelectorAll('.images img')];
-  const imageFrames = images.map((image) => Number(image.dataset.frame));
-  const caption = place.querySelector('.images figcaption');
-  const list = place.querySelector('.words');
-  return (frame) => {
-    if (images.length > 0) {
-      const shown = Math.max(0, lastAtMost(imageFrames, frame));
-      images.forEach((image, i) => { image.hidden = i !== shown; });
-      caption.textContent = `Frame ${imageFrames[shown]}: ${images[shown].alt}`;
-    }
-    const said = paths.map((show) => show(frame)).filter((text) => text !== null);
-    list.replaceChildren(...(said.length > 0 ? said : ['this run does not have the frame']).map((text) => element('li', text)));
-  };
-}
-
-// One slider for all runs on a sequence, drawn when it is first unfolded.
 function makePlayer(block) {
-  const frames = numbers(block.dataset.frames);
-  if (frames.length === 0) return;
-  const times = numbers(block.dataset.timesMs);
+  const images = [...block.querySelectorAll('img')];
+  const caption = block.querySelector('figcaption');
   const player = block.querySelector('.player');
-  const [play, slider, output] = player.children;
+  const [play, slider] = player.children;
   const stepMs = window.matchMedia('(prefers-reduced-motion: reduce)').matches ? 1000 : 120;
-  let runs = null;
   let timer = null;
 
   const show = (index) => {
-    runs ??= [...block.querySelectorAll('.run')].map(runOf);
     slider.value = String(index);
-    for (const run of runs) run(frames[index]);
-    output.textContent = `frame ${frames[index]} (${index + 1} of ${frames.length}), ${(times[index] / 1000).toFixed(2)} s`;
-    slider.setAttribute('aria-valuetext', output.textContent);
-    block.dataset.frame = String(frames[index]);
+    images.forEach((image, i) => { image.hidden = i !== index; });
+    caption.textContent = images[index].alt;
+    slider.setAttribute('aria-valuetext', caption.textContent);
   };
   const stop = () => {
     clearInterval(timer);
@@ -188,10 +107,10 @@ function makePlayer(block) {
     else show(Number(slider.value) + 1);
   };
 
-  slider.max = String(frames.length - 1);
+  slider.max = String(images.length - 1);
   player.hidden = false;
   slider.addEventListener('input', () => show(Number(slider.value)));
-  slider.addEventListener('change', () => setAddress(block.id, frames[Number(slider.value)]));
+  slider.addEventListener('change', () => setAddress(block.id, images[Number(slider.value)].dataset.frame));
   play.addEventListener('click', () => {
     if (timer !== null) {
       stop();
@@ -201,13 +120,10 @@ function makePlayer(block) {
     play.textContent = 'Pause';
     timer = setInterval(step, stepMs);
   });
-  const unfolded = () => {
-    if (block.open && runs === null) show(frames.length >> 1);
-    if (!block.open) stop();
-  };
-  block.addEventListener('toggle', unfolded);
-  unfolded();
-  block.goTo = (frame) => show(Math.max(0, lastAtMost(frames, Number(frame))));
+  block.addEventListener('toggle', () => { if (!block.open) stop(); });
+  show(images.length >> 1);
+  // The last image that is not after this frame.
+  block.goTo = (frame) => show(Math.max(0, images.filter((image) => Number(image.dataset.frame) <= Number(frame)).length - 1));
 }
 
 // ---- The address

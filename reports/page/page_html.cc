@@ -7,33 +7,12 @@
 #include "core/files/sha256.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
-#include "core/record/metric_catalogue.h"
-#include "reports/figures/figure_style.h"
 #include "reports/page/page.h"
 
 namespace cvo::reports {
 namespace {
 
 constexpr std::size_t kShownJobs = 200;
-
-// What every page explains: estimators, statistics and runs.
-constexpr std::pair<const char*, const char*> kTerms[] = {
-    {"variant",
-     "A version of the estimator. full is the complete method; the others omit or change one "
-     "part."},
-    {"cluster", "A set of landmarks that move together: the estimate of one object."},
-    {"landmark", "A point in the scene that is seen in the images."},
-    {"seed",
-     "Initial value of the random number generator. Runs that differ only in the seed show the "
-     "random variation."},
-    {"interval",
-     "95 % confidence interval of a mean, by bootstrap over its scenes, or the bodies of a single "
-     "scene. Seeds are averaged first."},
-    {"split",
-     "What scenes are used for: options were chosen on development scenes, results are reported "
-     "on test scenes. Recorded images are given."},
-    {"pair", "A scene (or body of a single scene) that is present in both rows of a difference."},
-};
 
 // The hash by which a Content-Security-Policy names the only script that may run.
 std::string ScriptSource() {
@@ -81,23 +60,50 @@ std::string FiguresSection(const PageContent& content) {
   return html + "</section>\n";
 }
 
-std::string RunText(const SuiteRun& run) {
-  std::vector<std::string> keys;
-  for (const auto& [key, value] : run.planned.keys) {
-    if (value != "none") keys.push_back(key + " " + value);
+// Without the script the image in the middle of the run is seen.
+std::string PlayerHtml(const PageScene& scene, const std::string& name, std::size_t index) {
+  std::string html = StrCat(
+      "<details class=\"frames\" id=\"frames-", index, "\"", index == 1 ? " open" : "", ">\n",
+      Element("summary", name),
+      "\n<div class=\"player\" hidden><button type=\"button\">Play</button><input type=\"range\" "
+      "min=\"0\" step=\"1\" aria-label=\"Frame\"></div>\n<figure>\n");
+  for (std::size_t i = 0; i < scene.images.size(); ++i) {
+    const PageImage& image = scene.images[i];
+    html += StrCat("<img data-frame=\"", image.frame, "\" alt=\"", Escaped(image.alt), "\"",
+                   i == scene.images.size() / 2 ? "" : " hidden", " src=\"data:image/jpeg;base64,",
+                   Base64(image.jpeg), "\">\n");
   }
-  keys.push_back(StrCat("seed ", run.planned.seed));
-  return Listed(keys);
+  return html + Element("figcaption", "Left image with what was estimated") +
+         "\n</figure>\n</details>\n";
 }
 
-std::string JobsWithoutValue(const std::vector<PageRun>& runs) {
+std::string FramesSection(const PageContent& content) {
+  std::string html = "<section id=\"frames\">\n<h2>Frame by frame</h2>\n";
+  std::vector<std::string> without;
+  std::size_t shown = 0;
+  for (const PageScene& scene : content.scenes) {
+    const PlannedRun& run = content.runs[scene.run].planned;
+    const std::string name =
+        StrCat(KeyOf(run, "sequence"), ": ", KeyOf(run, "variant"), ", seed ", run.seed);
+    if (!scene.images.empty()) html += PlayerHtml(scene, name, ++shown);
+    if (!scene.no_images.empty()) without.push_back(StrCat(name, ": ", scene.no_images));
+  }
+  if (shown == 0) html += "<p class=\"problem\">No run can be shown.</p>\n";
+  return html + ListHtml("Runs without images", without) + "</section>\n";
+}
+
+std::string JobsWithoutValue(const std::vector<SuiteRun>& runs) {
   std::vector<std::string> lines;
   for (const char* state : {"failed", "lost", "not run", "no data"}) {
-    for (const PageRun& run : runs) {
-      if (run.run.state != state) continue;
-      lines.push_back(StrCat(state, ": ", RunText(run.run),
-                             run.run.message.empty() ? "" : ": " + run.run.message,
-                             run.run.log.empty() ? "" : " (log: " + run.run.log + ")"));
+    for (const SuiteRun& run : runs) {
+      if (run.state != state) continue;
+      std::string line = StrCat(state, ":");
+      for (const auto& [key, value] : run.planned.keys) {
+        if (value != "none") line += StrCat(" ", key, " ", value, ",");
+      }
+      lines.push_back(StrCat(line, " seed ", run.planned.seed,
+                             run.message.empty() ? "" : ": " + run.message,
+                             run.log.empty() ? "" : " (log: " + run.log + ")"));
     }
   }
   if (lines.size() > kShownJobs) {
@@ -108,111 +114,28 @@ std::string JobsWithoutValue(const std::vector<PageRun>& runs) {
   return ListHtml("Runs that failed, are missing or lost the camera", lines);
 }
 
-// Each file is listed once, with the runs that lack it.
-std::string UnreadableFiles(const PageContent& content) {
-  using Entry = std::pair<std::string, std::vector<std::string>>;
-  std::vector<Entry> files;
-  const auto add = [&files](const std::string& file, const SuiteRun& run) {
-    AddOnce(RunText(run), FindOrAdd(files, &Entry::first, {file, {}}).second);
-  };
-  for (const PageRun& run : content.runs) {
-    for (const std::string& file : run.missing) add(file, run.run);
-  }
-  for (const PageScene& scene : content.scenes) {
-    const SuiteRun& run = content.runs[scene.run].run;
-    for (const std::string& file : scene.detail.missing) add(file, run);
-    if (!scene.no_images.empty()) add("images: " + scene.no_images, run);
-  }
-  std::vector<std::string> lines;
-  for (const auto& [file, runs] : files) lines.push_back(StrCat(file, " (", Listed(runs), ")"));
-  return ListHtml("Missing or unreadable files", lines);
-}
-
 std::string MissingSection(const PageContent& content) {
-  std::string html = JobsWithoutValue(content.runs);
-  if (content.table) html += ListHtml("Notes for comparison", content.table->notes);
-  html += UnreadableFiles(content) + ListHtml("Not shown in figures", content.drawing.not_drawn);
+  std::string html = JobsWithoutValue(content.runs) +
+                     ListHtml("Missing or unreadable files", content.missing) +
+                     ListHtml("Not shown in figures", content.drawing.not_drawn);
   if (html.empty()) html = "<p>Nothing is missing.</p>\n";
   return "<section id=\"missing\">\n<h2>What is missing</h2>\n" + html + "</section>\n";
 }
 
-std::string Meaning(const Column& column) {
-  const std::optional<MetricForm> form = FindForm(column.metric);
-  std::string meaning = form ? EntryOf(form->id).meaning : "See its definition below the table.";
-  if (form && form->bodies == BodyGroup::kStanding) meaning += " Of objects that stand still.";
-  if (form && form->bodies == BodyGroup::kPredicted) {
-    meaning += " Of frames in which it was predicted.";
-  }
-  if (form && form->causal) meaning += " Causal: of the estimates at the time of each frame.";
-  if (const MetricEntry* entry = FindEntry(column.metric)) {
-    meaning += entry->higher_is_better() ? " Higher is better." : " Lower is better.";
-  }
-  return meaning;
-}
-
-std::string GlossarySection(const PageContent& content) {
-  std::string html = "<section id=\"glossary\">\n<h2>Terms and metrics</h2>\n<dl>\n";
-  for (const auto& [name, meaning] : kTerms) {
-    html += Element("dt", name) + Element("dd", meaning) + "\n";
-  }
-  if (content.table) {
-    for (const Column& column : content.table->columns) {
-      html += Element("dt", column.label) + Element("dd", Meaning(column)) + "\n";
-    }
-  }
-  return html + "</dl>\n</section>\n";
-}
-
-// Lists each distinct set of facts once, with the number of runs it applies to.
-std::string FactsWithRunCounts(const std::vector<PageRun>& runs, std::vector<Fact> PageRun::*facts,
-                               const char* heading) {
-  using Count = std::pair<std::vector<Fact>, std::size_t>;
-  std::vector<Count> counted;
-  for (const PageRun& run : runs) {
-    if (!(run.*facts).empty()) ++FindOrAdd(counted, &Count::first, {run.*facts, 0}).second;
-  }
-  std::string html = Element("h3", heading) + "\n";
-  if (counted.empty()) html += "<p>Not known.</p>\n";
-  for (const auto& [of_runs, count] : counted) {
-    html += Element("p", Counted(count, "run") + ":") + "\n" + FactsHtml(of_runs);
-  }
-  return html;
-}
-
-std::string OptionsHtml(const Provenance& provenance) {
-  std::string html = "<h3>Options with values other than the default</h3>\n";
-  if (provenance.options.empty()) return html + "<p>None.</p>\n";
-  html += "<ul>\n";
-  for (const ChangedOption& option : provenance.options) {
-    const std::string usual = option.default_value;
-    html += StrCat("<li>", Element("code", option.path), ": ", Escaped(Listed(option.values)),
-                   usual.empty() ? "" : StrCat(" (default ", Escaped(usual), ")"), "</li>\n");
-  }
-  return html + "</ul>\n";
-}
-
 std::string OriginSection(const PageContent& content) {
-  std::string html = "<section id=\"origin\">\n<h2>Origin of the numbers</h2>\n";
-  html += FactsWithRunCounts(content.runs, &PageRun::build, "Program") +
-          FactsWithRunCounts(content.runs, &PageRun::machine, "Machine");
+  std::string html =
+      "<section id=\"origin\">\n<h2>Origin of the numbers</h2>\n" + ListHtml("", content.origins);
   if (content.table) {
-    const Provenance& provenance = content.table->provenance;
-    html += OptionsHtml(provenance) + "<h3>Seeds</h3>\n" +
-            Element("p", Joined(provenance.seeds, ", ")) + "\n";
+    html += Element("p", "Seeds: " + Joined(content.table->provenance.seeds, ", ")) + "\n";
   }
   return html + "</section>\n";
 }
 
-std::string Navigation(const PageContent& content) {
-  std::vector<Fact> parts = {{"summary", "Summary"}, {"table", "Table"}};
-  if (!content.compared_with.empty()) {
-    parts.emplace_back("comparison", "Compared with " + content.compared_with);
-  }
-  parts.insert(parts.end(), {{"figures", "Figures"},
-                             {"frames", "Frame by frame"},
-                             {"missing", "What is missing"},
-                             {"glossary", "Terms and metrics"},
-                             {"origin", "Origin of the numbers"}});
+std::string Navigation() {
+  const std::vector<Fact> parts = {
+      {"summary", "Summary"},         {"table", "Table"},
+      {"figures", "Figures"},         {"frames", "Frame by frame"},
+      {"missing", "What is missing"}, {"origin", "Origin of the numbers"}};
   std::string html = "<nav aria-label=\"Parts of this page\"><ul>\n";
   for (const auto& [id, name] : parts) {
     html += StrCat("<li><a href=\"#", id, "\">", Escaped(name), "</a></li>\n");
@@ -258,9 +181,8 @@ std::string PageHtml(const PageContent& content) {
   return HtmlDocument(
       content.title + ": ClusterVO-bench report",
       StrCat("<header>\n", Element("h1", content.title), "\n<p>Results of ClusterVO-bench</p>\n",
-             Navigation(content), "</header>\n<main>\n", SummarySection(content),
-             TableSection(content), ComparisonSection(content), FiguresSection(content),
-             FramesSection(content), MissingSection(content), GlossarySection(content),
+             Navigation(), "</header>\n<main>\n", SummarySection(content), TableSection(content),
+             FiguresSection(content), FramesSection(content), MissingSection(content),
              OriginSection(content), "</main>\n"));
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
-#include <map>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/json/json.h"
 #include "reports/page/page.h"
 #include "reports/tables/make_table.h"
@@ -27,25 +27,26 @@ void Try(const std::string& what, std::vector<std::string>& problems,
   }
 }
 
-// Adds a fact that is known, or one for each member of an object.
-void AddFact(std::string name, const Json& value, std::vector<Fact>& facts) {
-  if (value.is_object()) {
-    for (const auto& [part, of_part] : value.items()) AddFact(part, of_part, facts);
-    return;
+// Names and values that are known, on one line.
+std::string FactsText(const Json& json) {
+  std::string text;
+  for (const auto& [name, value] : FlatJson(json)) {
+    if (value != "\"\"") text += StrCat(text.empty() ? "" : ", ", name, " ", value);
   }
-  std::replace(name.begin(), name.end(), '_', ' ');
-  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-  if (!text.empty()) facts.emplace_back(name, text);
+  std::erase(text, '"');
+  return text;
 }
 
 // What produced a result: the program and the machine.
-void ReadOrigin(const fs::path& run_folder, PageRun& run) {
-  AddFact("build", ToJson(run.run.run->build), run.build);
-  Try("", run.missing, [&] {
-    const Json json = ReadJson(run_folder / "timing.json", {"frames"});
+void ReadOrigin(const fs::path& run_folder, const RunSummary& run, PageContent& content) {
+  AddOnce("program: " + FactsText(ToJson(run.build)), content.origins);
+  Try("", content.missing, [&] {
+    const Json timing = ReadJson(run_folder / "timing.json", {"frames"});
+    Json machine = Json::object();
     for (const char* name : {"host", "cpu", "cpus", "threads"}) {
-      if (json.contains(name)) AddFact(name, json[name], run.machine);
+      if (timing.contains(name)) machine[name] = timing[name];
     }
+    AddOnce("machine: " + FactsText(machine), content.origins);
   });
 }
 
@@ -60,36 +61,10 @@ void ReadSuite(const PageRequest& request, PageContent& content) {
       content.variants.push_back(variant);
     }
   }
-  for (SuiteRun& run : ReadRuns(request.folder, plan, {})) {
-    PageRun& described = content.runs.emplace_back();
-    described.run = std::move(run);
-    if (!described.run.run) continue;
-    ReadOrigin(request.folder / "jobs" / described.run.planned.job, described);
+  content.runs = ReadRuns(request.folder, plan, {});
+  for (const SuiteRun& run : content.runs) {
+    if (run.run) ReadOrigin(request.folder / "jobs" / run.planned.job, *run.run, content);
   }
-}
-
-void ReadScenes(const PageRequest& request, PageContent& content) {
-  ChooseScenes(kMostScenes, content);
-  std::erase_if(content.scenes, [&](PageScene& scene) {
-    PageRun& run = content.runs[scene.run];
-    const std::size_t missing = run.missing.size();
-    Try("frame by frame: ", run.missing,
-        [&] { scene.detail = ReadRunDetail(request.folder / "jobs" / run.run.planned.job); });
-    return run.missing.size() > missing;
-  });
-}
-
-// Compares the two folders. The texts name them without their paths.
-Table Compare(const PageRequest& request) {
-  Table table = CompareFolders(request.against, request.folder);
-  table.reference = request.against.filename().string();
-  table.title = StrCat(request.folder.filename().string(), " against ", table.reference);
-  for (Row& row : table.rows) {
-    for (Cell& cell : row.cells) {
-      if (cell.difference) cell.difference->reference = table.reference;
-    }
-  }
-  return table;
 }
 
 // Removes the path of the folder from messages that name files, since it is private and differs
@@ -100,61 +75,36 @@ void ForgetFolder(const std::string& folder, PageContent& content) {
       text.erase(at, folder.size());
     }
   };
-  std::for_each(content.problems.begin(), content.problems.end(), forget);
-  std::for_each(content.drawing.not_drawn.begin(), content.drawing.not_drawn.end(), forget);
-  for (PageRun& run : content.runs) {
-    std::for_each(run.missing.begin(), run.missing.end(), forget);
-    forget(run.run.message);
+  for (auto* texts : {&content.problems, &content.drawing.not_drawn, &content.missing}) {
+    std::for_each(texts->begin(), texts->end(), forget);
   }
-  for (PageScene& scene : content.scenes) {
-    std::for_each(scene.detail.missing.begin(), scene.detail.missing.end(), forget);
-  }
+  for (SuiteRun& run : content.runs) forget(run.message);
   if (!content.table) return;
   for (Problem& problem : content.table->problems) forget(problem.message);
 }
 
-std::vector<std::size_t> FirstSeeds(const std::vector<PageRun>& runs) {
-  // By everything that identifies a run, except the seed.
-  std::map<std::map<std::string, std::string>, std::size_t> first;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const SuiteRun& run = runs[i].run;
-    if (!run.run || !run.planned.system.empty()) continue;
-    const auto [entry, added] = first.try_emplace(run.planned.keys, i);
-    if (!added && run.planned.seed < runs[entry->second].run.planned.seed) entry->second = i;
-  }
-  std::vector<std::size_t> chosen;
-  for (const auto& [keys, run] : first) chosen.push_back(run);
-  std::sort(chosen.begin(), chosen.end());
-  return chosen;
-}
-
 // The priority of showing the images of a run; lower comes first.
-int Rank(const PageRun& run, const std::string& reference) {
-  const std::string variant = KeyOf(run.run.planned, "variant");
-  if (variant == "full") return 0;
-  return variant == reference || "variant=" + variant == reference ? 1 : 2;
+std::pair<int, std::uint64_t> Rank(const PlannedRun& run, const std::string& reference) {
+  const std::string variant = KeyOf(run, "variant");
+  const bool is_reference = variant == reference || "variant=" + variant == reference;
+  return {variant == "full" ? 0 : is_reference ? 1 : 2, run.seed};
 }
 
 }  // namespace
 
-void ChooseScenes(std::size_t most, PageContent& content) {
-  const std::vector<PageRun>& runs = content.runs;
+void ChooseScenes(PageContent& content) {
   const std::string reference = content.table ? content.table->reference : "";
-  const std::vector<std::size_t> candidates = FirstSeeds(runs);
-  std::map<std::string, std::size_t> with_images;  // by sequence
-  for (const std::size_t i : candidates) {
-    const auto [entry, added] = with_images.try_emplace(KeyOf(runs[i].run.planned, "sequence"), i);
-    if (!added && Rank(runs[i], reference) < Rank(runs[entry->second], reference)) {
-      entry->second = i;
-    }
+  const auto sequence = [&](const PageScene& scene) {
+    return KeyOf(content.runs[scene.run].planned, "sequence");
+  };
+  for (std::size_t i = 0; i < content.runs.size(); ++i) {
+    const SuiteRun& run = content.runs[i];
+    if (!run.run || !run.planned.system.empty()) continue;
+    PageScene& scene = FindOrAdd(content.scenes, sequence, {i});
+    const PlannedRun& chosen = content.runs[scene.run].planned;
+    if (Rank(run.planned, reference) < Rank(chosen, reference)) scene.run = i;
   }
-  for (const std::size_t i : candidates) {
-    content.scenes.push_back({i, with_images[KeyOf(runs[i].run.planned, "sequence")] == i});
-  }
-  std::stable_partition(content.scenes.begin(), content.scenes.end(),
-                        [](const PageScene& scene) { return scene.wants_images; });
-  content.scenes.resize(std::min(most, candidates.size()));
-  content.scenes_left_out = candidates.size() - content.scenes.size();
+  content.scenes.resize(std::min(content.scenes.size(), kMostScenes));
 }
 
 PageContent ReadPage(const PageRequest& request) {
@@ -172,11 +122,7 @@ PageContent ReadPage(const PageRequest& request) {
     Try("figures: ", content.problems,
         [&] { content.drawing = MakeSuiteFigures(ReadSuiteData(request.folder, *content.table)); });
   }
-  if (!request.against.empty()) {
-    content.compared_with = request.against.filename().string();
-    Try("comparison: ", content.problems, [&] { content.comparison = Compare(request); });
-  }
-  ReadScenes(request, content);
+  ChooseScenes(content);
   ForgetFolder((request.folder / "").string(), content);
   return content;
 }

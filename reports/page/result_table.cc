@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+// What the page tells of a table: its values, its differences, and which of them are significant.
 #include <optional>
 
 #include "core/base/error.h"
 #include "core/files/text/number.h"
+#include "core/record/metric_catalogue.h"
+#include "reports/figures/figure_style.h"
 #include "reports/page/page.h"
+#include "reports/statistics/estimate.h"
 #include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
@@ -27,13 +31,11 @@ std::optional<double> NumberOf(const Table& table, const TextLine& line, std::si
 }
 
 std::string CellHtml(const CellText& cell, const std::optional<double>& number) {
-  std::string html =
-      StrCat("<td class=\"number", cell.best ? " best" : "", cell.grey ? " grey" : "", "\"");
+  std::string html = StrCat("<td class=\"number", cell.grey ? " grey" : "", "\"");
   if (number) html += StrCat(" data-value=\"", FormatDouble(*number), "\"");
   if (!cell.n.empty()) html += StrCat(" title=\"n: ", Escaped(cell.n), "\"");
   html += ">";
   if (cell.value.empty()) return html + "</td>";
-  if (cell.best) html += "<span class=\"mark\">best</span> ";
   html += Span("value", cell.Shown());
   if (cell.distinguishable) html += "<abbr class=\"star\" title=\"significant\">*</abbr>";
   return html + Span("small", cell.interval) + Span("small", cell.percent) +
@@ -67,9 +69,13 @@ std::string BlockHtml(const Table& table, const TableTexts& texts, std::size_t i
   for (const std::string& name : texts.text_header) {
     html += StrCat("<th scope=\"col\">", Escaped(name), "</th>");
   }
-  for (const ColumnText& column : texts.columns) {
+  for (std::size_t i = 0; i < texts.columns.size(); ++i) {
+    const ColumnText& column = texts.columns[i];
+    const MetricEntry* entry = FindEntry(table.columns[i].metric);
     html +=
-        StrCat("<th scope=\"col\" class=\"number\">", Escaped(column.label),
+        StrCat("<th scope=\"col\" class=\"number\"",
+               entry != nullptr ? StrCat(" title=\"", Escaped(entry->meaning), "\"") : "", ">",
+               Escaped(column.label),
                Span("unit", column.unit.empty() ? "" : StrCat(" [", column.unit, "]")), "</th>");
   }
   html += "</tr></thead>\n<tbody>\n";
@@ -83,17 +89,65 @@ std::string Folded(const std::string& summary, const std::vector<std::string>& l
                 "</details>\n");
 }
 
+std::string RuleText(const std::string& reference) {
+  return StrCat(
+      "Differences are relative to ", reference,
+      ", over the pairs that both have. A difference is considered significant if its 95 % "
+      "interval does not contain 0, its p-value, corrected for the number of comparisons in the "
+      "table (Holm), is below 0.05, and there are at least ",
+      kMinPairs,
+      " pairs. Intervals cover the variation over scenes; where a row has only one scene, "
+      "over its bodies.");
+}
+
 }  // namespace
 
 std::string ResultTable(const Table& table, const std::string& id) {
-  TableTexts texts = MakeTexts(table);
-  if (texts.any_best) texts.footnotes.insert(texts.footnotes.begin(), BestNote("best"));
+  const TableTexts texts = MakeTexts(table);
   std::string html;
   for (std::size_t i = 0; i < texts.blocks.size(); ++i) html += BlockHtml(table, texts, i, id);
   return html +
          Folded("Notes: what each value is based on, and how values are compared",
                 texts.footnotes) +
          Folded("Definitions of the columns", texts.definitions);
+}
+
+std::string FindingsHtml(const Table& table, const std::string& reference) {
+  std::string html;
+  for (const Row& row : table.rows) {
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      const auto& difference = row.cells[i].difference;
+      if (!difference || !difference->distinguishable) continue;
+      const Column& column = table.columns[i];
+      const bool higher = ShownAs(column.metric, column.unit).higher_is_better;
+      const char* verdict = (difference->difference > 0.0) == higher ? "better" : "worse";
+      html += StrCat("<li class=\"", verdict, "\"><strong>", Escaped(RowLabel(row)),
+                     "</strong>: ", Escaped(NameOf(column, table)), " <span class=\"verdict\">",
+                     verdict, "</span>, ", Escaped(QuantityText(difference->value, column)),
+                     " instead of ", Escaped(QuantityText(difference->reference_value, column)),
+                     " with ", Escaped(reference), ".</li>\n");
+    }
+  }
+  return html.empty() ? "<p>No difference is significant.</p>\n"
+                      : StrCat("<ul class=\"findings\">\n", html, "</ul>\n");
+}
+
+std::string SummarySection(const PageContent& content) {
+  std::string html = "<section id=\"summary\">\n<h2>Summary</h2>\n";
+  if (!content.about.empty()) html += Element("p", content.about) + "\n";
+  for (const std::string& problem : content.problems) {
+    html += "<p class=\"problem\">" + Escaped(problem) + "</p>\n";
+  }
+  if (!content.table) return html + "</section>\n";
+  const Table& table = *content.table;
+  html += FactsHtml(content.variants) + "<p>" + Escaped(JobsText(table.jobs)) + ".";
+  if (!table.problems.empty()) html += " <a href=\"#missing\">What is missing, and why</a>.";
+  html += "</p>\n";
+  if (table.reference.empty()) {
+    return html + "<p>No row is the reference, so no differences are reported.</p>\n</section>\n";
+  }
+  html += "<h2>Significant differences</h2>\n" + Element("p", RuleText(table.reference)) + "\n";
+  return html + FindingsHtml(table, table.reference) + "</section>\n";
 }
 
 }  // namespace cvo::reports

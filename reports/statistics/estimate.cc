@@ -16,6 +16,23 @@
 namespace cvo::reports {
 namespace {
 
+constexpr int kResamples = 5000;
+
+// A body or a scene after averaging over its repetitions.
+struct Unit {
+  std::array<Part, 2> parts;  // value, reference
+};
+
+// What is resampled: scenes within their families, or the bodies of the only scene.
+struct Strata {
+  std::vector<std::vector<Unit>> units;
+  Within within = Within::kMean;  // how the figure of a stratum is computed from its units
+  std::size_t scenes = 0;
+  std::size_t bodies = 0;
+
+  bool of_scenes() const { return scenes > 1; }
+};
+
 // Ordered containers, since a floating-point sum depends on the order of its terms.
 using Repetitions = std::map<std::string, const Sample*>;
 using Bodies = std::map<std::string, Repetitions>;
@@ -75,6 +92,21 @@ Differences DifferencesOf(const Strata& strata) {
   return differences;
 }
 
+double Quantile(const std::vector<double>& sorted, double fraction) {
+  const double at = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(std::floor(at));
+  const auto above = static_cast<std::size_t>(std::ceil(at));
+  return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
+}
+
+// The interval that holds the middle kConfidence of the values.
+std::optional<Range> MiddleRange(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const double tail = 0.5 * (1.0 - kConfidence);
+  return Range{Quantile(values, tail), Quantile(values, 1.0 - tail)};
+}
+
 // The interval of the differences in percent of the reference. Empty if a reference is not
 // positive.
 std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& pairs) {
@@ -118,11 +150,64 @@ void Resample(const std::vector<Unit>& units, Within within, Rng& rng, std::vect
   }
 }
 
-double Quantile(const std::vector<double>& sorted, double fraction) {
-  const double at = fraction * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(std::floor(at));
-  const auto above = static_cast<std::size_t>(std::ceil(at));
-  return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
+// The mean over strata; empty if the weights of a stratum sum to 0.
+std::optional<std::array<double, 2>> MeanOverStrata(const std::vector<std::vector<Unit>>& strata,
+                                                    Within within) {
+  if (strata.empty()) return std::nullopt;
+  std::array<double, 2> means = {0.0, 0.0};
+  for (const std::vector<Unit>& units : strata) {
+    for (std::size_t which = 0; which < means.size(); ++which) {
+      Part total = {0.0, 0.0};
+      for (const Unit& unit : units) Add(unit.parts[which], total);
+      if (total.weight <= 0.0) return std::nullopt;
+      means[which] += within == Within::kSum ? total.sum : total.sum / total.weight;
+    }
+  }
+  for (double& mean : means) mean /= static_cast<double>(strata.size());
+  return means;
+}
+
+std::optional<Strata> GroupSamples(const std::vector<Sample>& samples, Within within) {
+  Strata strata;
+  std::vector<Unit> bodies;  // of the last scene
+  for (const auto& [family, scenes] : Order(samples)) {
+    strata.units.emplace_back();
+    for (const auto& [scene, of_scene] : scenes) {
+      bodies = AverageRepetitions(of_scene);
+      const auto figure = MeanOverStrata({bodies}, within);
+      if (!figure) return std::nullopt;
+      strata.units.back().push_back({{Part{(*figure)[0]}, Part{(*figure)[1]}}});
+      ++strata.scenes;
+      strata.bodies += bodies.size();
+    }
+  }
+  if (strata.scenes == 0) return std::nullopt;
+  if (!strata.of_scenes()) {
+    strata.units = {bodies};
+    strata.within = within;
+  }
+  return strata;
+}
+
+// Value and reference of resampled strata. For the same numbers of units, the same units are drawn.
+// Of n units, n - 1 are drawn with replacement (McCarthy and Snowden 1985), since drawing n makes
+// the interval of a mean too narrow by sqrt((n - 1) / n). Empty if no stratum has two units.
+std::vector<std::array<double, 2>> Bootstrap(const std::vector<std::vector<Unit>>& strata,
+                                             Within within) {
+  const bool can_vary =
+      std::any_of(strata.begin(), strata.end(), [](const auto& units) { return units.size() > 1; });
+  if (!can_vary) return {};
+  Rng rng(kSeed, "bootstrap");
+  std::vector<std::vector<Unit>> drawn = strata;
+  std::vector<std::array<double, 2>> means;
+  means.reserve(kResamples);
+  for (int i = 0; i < kResamples; ++i) {
+    for (std::size_t s = 0; s < strata.size(); ++s) {
+      if (strata[s].size() > 1) Resample(strata[s], within, rng, drawn[s]);
+    }
+    if (const auto mean = MeanOverStrata(drawn, within)) means.push_back(*mean);
+  }
+  return means;
 }
 
 // Above this number, the distribution equals the normal one to about four digits.
@@ -142,6 +227,15 @@ double Tail(double theta, int degrees) {
   const double inside =
       odd ? (theta + std::sin(theta) * sum) * 2.0 / std::numbers::pi : std::sin(theta) * sum;
   return 0.5 * (1.0 - inside);
+}
+
+// The probability of exceeding t >= 0, by the finite series of the distribution function
+// (Abramowitz and Stegun, 26.7.3 and 26.7.4).
+double StudentTail(double t, int degrees) {
+  Require(t >= 0.0, "StudentTail: t of at least 0");
+  Require(degrees >= 1, "StudentTail: at least one degree of freedom");
+  degrees = std::min(degrees, kMaxDegrees);
+  return std::max(Tail(std::atan(t / std::sqrt(static_cast<double>(degrees))), degrees), 0.0);
 }
 
 constexpr double kTwoSidedTail = 0.025;
@@ -174,44 +268,6 @@ Moments MomentsOf(const Differences& differences) {
 
 }  // namespace
 
-std::optional<Strata> GroupSamples(const std::vector<Sample>& samples, Within within) {
-  Strata strata;
-  std::vector<Unit> bodies;  // of the last scene
-  for (const auto& [family, scenes] : Order(samples)) {
-    strata.units.emplace_back();
-    for (const auto& [scene, of_scene] : scenes) {
-      bodies = AverageRepetitions(of_scene);
-      const auto figure = MeanOverStrata({bodies}, within);
-      if (!figure) return std::nullopt;
-      strata.units.back().push_back({{Part{(*figure)[0]}, Part{(*figure)[1]}}});
-      ++strata.scenes;
-      strata.bodies += bodies.size();
-    }
-  }
-  if (strata.scenes == 0) return std::nullopt;
-  if (!strata.of_scenes()) {
-    strata.units = {bodies};
-    strata.within = within;
-  }
-  return strata;
-}
-
-std::optional<std::array<double, 2>> MeanOverStrata(const std::vector<std::vector<Unit>>& strata,
-                                                    Within within) {
-  if (strata.empty()) return std::nullopt;
-  std::array<double, 2> means = {0.0, 0.0};
-  for (const std::vector<Unit>& units : strata) {
-    for (std::size_t which = 0; which < means.size(); ++which) {
-      Part total = {0.0, 0.0};
-      for (const Unit& unit : units) Add(unit.parts[which], total);
-      if (total.weight <= 0.0) return std::nullopt;
-      means[which] += within == Within::kSum ? total.sum : total.sum / total.weight;
-    }
-  }
-  for (double& mean : means) mean /= static_cast<double>(strata.size());
-  return means;
-}
-
 std::optional<Estimate> EstimateMean(const std::vector<Sample>& samples, Within within) {
   const std::optional<Strata> strata = GroupSamples(samples, within);
   const auto mean = strata ? MeanOverStrata(strata->units, strata->within) : std::nullopt;
@@ -242,38 +298,6 @@ std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pair
     estimate.percent_interval = PercentRange(resampled);
   }
   return estimate;
-}
-
-std::vector<std::array<double, 2>> Bootstrap(const std::vector<std::vector<Unit>>& strata,
-                                             Within within) {
-  const bool can_vary =
-      std::any_of(strata.begin(), strata.end(), [](const auto& units) { return units.size() > 1; });
-  if (!can_vary) return {};
-  Rng rng(kSeed, "bootstrap");
-  std::vector<std::vector<Unit>> drawn = strata;
-  std::vector<std::array<double, 2>> means;
-  means.reserve(kResamples);
-  for (int i = 0; i < kResamples; ++i) {
-    for (std::size_t s = 0; s < strata.size(); ++s) {
-      if (strata[s].size() > 1) Resample(strata[s], within, rng, drawn[s]);
-    }
-    if (const auto mean = MeanOverStrata(drawn, within)) means.push_back(*mean);
-  }
-  return means;
-}
-
-std::optional<Range> MiddleRange(std::vector<double> values) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const double tail = 0.5 * (1.0 - kConfidence);
-  return Range{Quantile(values, tail), Quantile(values, 1.0 - tail)};
-}
-
-double StudentTail(double t, int degrees) {
-  Require(t >= 0.0, "StudentTail: t of at least 0");
-  Require(degrees >= 1, "StudentTail: at least one degree of freedom");
-  degrees = std::min(degrees, kMaxDegrees);
-  return std::max(Tail(std::atan(t / std::sqrt(static_cast<double>(degrees))), degrees), 0.0);
 }
 
 double StudentQuantile(double tail, int degrees) {

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,34 +31,6 @@ struct Sample {
 // scenes.
 enum class Within { kMean, kSum };
 
-// A body or a scene after averaging over its repetitions.
-struct Unit {
-  std::array<Part, 2> parts;  // value, reference
-};
-
-// What is resampled: scenes within their families, each with the figure of all its bodies. If all
-// samples are of one scene, its bodies are resampled instead, which says nothing about other
-// scenes.
-struct Strata {
-  std::vector<std::vector<Unit>> units;
-  Within within = Within::kMean;  // how the figure of a stratum is computed from its units
-  std::size_t scenes = 0;
-  std::size_t bodies = 0;
-
-  bool of_scenes() const { return scenes > 1; }
-};
-
-// Groups samples into strata. Families, and scenes within a family, are ordered by name, so the
-// order of the samples does not matter. Empty if there are no samples, or the weights of a scene
-// sum to 0. Throws Error if there are two samples of the same scene, body and repetition.
-std::optional<Strata> GroupSamples(const std::vector<Sample>& samples, Within within);
-
-// The mean over strata, of the value and of the reference. Empty if there are no strata, or the
-// weights of a stratum sum to 0.
-std::optional<std::array<double, 2>> MeanOverStrata(const std::vector<std::vector<Unit>>& strata,
-                                                    Within within);
-
-inline constexpr int kResamples = 5000;
 inline constexpr double kConfidence = 0.95;
 
 struct Range {
@@ -69,16 +39,6 @@ struct Range {
 
   bool Contains(double value) const { return low <= value && value <= high; }
 };
-
-// Bootstrap: value and reference of resampled strata. For the same numbers of units, the same units
-// are drawn. Of n units, n - 1 are drawn with replacement (McCarthy and Snowden 1985), since
-// drawing n makes the interval of a mean too narrow by sqrt((n - 1) / n). A stratum of one unit
-// stays as it is. Empty if no stratum has two units.
-std::vector<std::array<double, 2>> Bootstrap(const std::vector<std::vector<Unit>>& strata,
-                                             Within within);
-
-// The interval that holds the middle kConfidence of the values. Empty if there are no values.
-std::optional<Range> MiddleRange(std::vector<double> values);
 
 // The minimum number of pairs of a significant difference. With fewer, not even differences of one
 // sign would be unlikely enough by chance (two-sided sign test: 2 * 0.5^5 > 0.05), whatever the
@@ -96,7 +56,11 @@ struct Estimate {
   std::size_t bodies = 0;
 };
 
-// The mean over scenes with its bootstrap interval. Empty if there are no samples.
+// The mean over scenes with its bootstrap interval: scenes are resampled within their families,
+// each with the figure of all its bodies; the bodies if there is one scene, which says nothing
+// about others. The order of the samples does not matter. Empty if there are no samples, or the
+// weights of a scene sum to 0. Throws Error if there are two samples of one scene, body and
+// repetition.
 std::optional<Estimate> EstimateMean(const std::vector<Sample>& samples, Within within);
 
 // A value compared with its reference on the same scenes, bodies and repetitions.
@@ -135,12 +99,8 @@ std::optional<std::size_t> PairsNeeded(const Differences& differences, double si
 // p-value below 5 % is at most 5 %, whatever their dependence.
 std::vector<double> HolmAdjusted(const std::vector<double>& p_values);
 
-// The probability that a variable of Student's t distribution with `degrees` >= 1 degrees of
-// freedom exceeds t >= 0. Computed by the finite series of its distribution function (Abramowitz
-// and Stegun, 26.7.3 and 26.7.4).
-double StudentTail(double t, int degrees);
-
-// The t that such a variable exceeds with probability `tail`, 1e-9 <= tail <= 0.5.
+// The t that a variable of Student's t distribution with `degrees` >= 1 degrees of freedom exceeds
+// with probability `tail`, 1e-9 <= tail <= 0.5.
 double StudentQuantile(double tail, int degrees);
 
 }  // namespace cvo::reports

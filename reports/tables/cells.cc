@@ -315,18 +315,6 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
                       body_metric ? PairingText(*body_metric) : "runs of the same scene and seed");
 }
 
-std::string VerdictText(const Difference& difference, const std::string& metric) {
-  if (difference.difference == 0.0) return "the same";
-  if (!difference.distinguishable) {
-    return difference.pairs >= kMinPairs ? "not significant"
-                                         : StrCat("undecided (", Counted(difference.pairs, "pair"),
-                                                  ", ", kMinPairs, " needed)");
-  }
-  const MetricEntry* rule = FindEntry(metric);
-  if (rule == nullptr) return "differs";
-  return (difference.difference > 0.0) == rule->higher_is_better() ? "better" : "worse";
-}
-
 void CorrectForMany(const std::vector<Difference*>& differences) {
   std::vector<Difference*> tested;
   std::vector<double> p_values;

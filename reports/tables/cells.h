@@ -82,10 +82,6 @@ Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Co
 // The paired difference of a row to its reference. Empty if the two have nothing in common.
 std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& column);
 
-// "better", "worse", "differs", "the same", "not significant" or "undecided (3 pairs, 6 needed)".
-// Call it after CorrectForMany.
-std::string VerdictText(const Difference& difference, const std::string& metric);
-
 // Corrects the p-values of differences that are read together for their number (Holm), and marks
 // those that are distinguishable from noise.
 void CorrectForMany(const std::vector<Difference*>& differences);

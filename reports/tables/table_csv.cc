@@ -72,7 +72,6 @@ Record HeadOf(const Table& table, const TextLine& line) {
 
 std::string Marks(const CellText& cell) {
   std::vector<std::string> marks;
-  if (cell.best) marks.emplace_back("best");
   if (cell.distinguishable) marks.emplace_back("distinguishable");
   if (cell.grey) marks.emplace_back("not comparable");
   if (cell.value == "-") marks.emplace_back("missing");

@@ -36,7 +36,7 @@ std::vector<Entries> EntriesOf(const TextLine& line, const std::vector<std::size
   for (const std::string& text : line.texts) values.push_back({text});
   for (const std::size_t column : columns) {
     const CellText& cell = line.cells[column];
-    values.push_back({cell.Shown(), StrCat(cell.distinguishable ? "*" : "", cell.best ? "^" : "")});
+    values.push_back({cell.Shown(), cell.distinguishable ? "*" : ""});
   }
   std::vector<Entries> rows = {values};
   for (const auto part : {&CellText::interval, &CellText::percent, &CellText::percent_interval}) {
@@ -150,7 +150,6 @@ std::string Paragraph(const std::string& text) {
 std::string CellMarkdown(const CellText& cell) {
   if (cell.value.empty()) return "";
   std::string text = cell.Shown();
-  if (cell.best) text = "**" + text + "**";
   if (cell.distinguishable) text += "\\*";
   if (!cell.interval.empty()) text += " (" + cell.interval + ")";
   if (!cell.percent.empty()) text += "; " + cell.percent;
@@ -214,8 +213,7 @@ std::string LatexNumber(const std::string& text) {
 std::string EntryLatex(const Entry& entry, bool is_value) {
   const std::string number = LatexNumber(entry.text);
   if (!is_value) return number.empty() ? "" : StrCat("{\\scriptsize ", number, "}");
-  return StrCat(entry.marks.ends_with('^') ? StrCat("\\textbf{", number, "}") : number,
-                entry.marks.starts_with('*') ? "\\rlap{$^{*}$}" : "");
+  return number + (entry.marks.empty() ? "" : "\\rlap{$^{*}$}");
 }
 
 std::string LineLatex(const TextLine& line, const std::vector<std::size_t>& columns) {
@@ -255,7 +253,6 @@ std::string TableText(const Table& table, std::size_t width) {
     }
   }
   text += "\n";
-  if (texts.any_best) text += BestNote("^") + "\n";
   for (const std::string& note : texts.footnotes) text += note + "\n";
   return text;
 }
@@ -270,7 +267,6 @@ std::string TableMarkdown(const Table& table) {
     for (const TextLine& line : block.lines) text += LineMarkdown(line);
     text += "\n";
   }
-  if (texts.any_best) text += "- " + BestNote("bold") + "\n";
   for (const std::string& note : texts.footnotes) text += "- " + MarkdownEscaped(note) + "\n";
   for (const std::string& note : texts.definitions) text += "- " + MarkdownEscaped(note) + "\n";
   return text;
@@ -289,7 +285,6 @@ std::string TableLatex(const Table& table) {
     for (const TextLine& line : block.lines) latex += LineLatex(line, AllColumns(texts));
     latex += "\\bottomrule\n\\end{tabular}\n";
   }
-  if (texts.any_best) latex += Comments({BestNote("bold")});
   return latex + Comments(texts.footnotes) + Comments(texts.definitions);
 }
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -232,93 +230,6 @@ void AddBlocks(const Table& table, TableTexts& texts) {
                           std::move(differences)});
 }
 
-// Whether the coverage that the metric must be read with is 0. Such a row cannot be best, for
-// example for having no identity switches.
-bool HasZeroCoverage(const Row& row, const Table& table, const std::string& metric) {
-  const std::string coverage = CoverageOf(metric);
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    if (table.columns[i].metric == coverage && coverage != metric) {
-      return row.cells[i].value == 0.0;
-    }
-  }
-  return false;
-}
-
-// Marks all that print the same as the best of a column. Nothing is marked if all print the same or
-// the lines cover different scenes.
-bool MarkColumn(const Table& table, const std::vector<TextLine*>& lines, std::size_t column) {
-  const std::string& metric = table.columns[column].metric;
-  const MetricEntry* rule = FindEntry(metric);
-  std::vector<std::pair<double, CellText*>> candidates;
-  std::optional<std::set<std::string>> scenes;
-  for (TextLine* line : lines) {
-    CellText& text = line->cells[column];
-    if (line->theirs != nullptr) {
-      const ReferenceCell* theirs = line->theirs->Find(table.columns[column]);
-      if (theirs != nullptr && !text.grey) candidates.emplace_back(theirs->value, &text);
-      continue;
-    }
-    const Row& row = *line->row;
-    const Cell& cell = row.cells[column];
-    if (!cell.value || text.grey || HasZeroCoverage(row, table, metric)) continue;
-    std::set<std::string> covered;
-    for (const std::size_t run : cell.runs) covered.insert(row.runs[run].sequence);
-    if (scenes && *scenes != covered) return false;
-    scenes = std::move(covered);
-    candidates.emplace_back(*cell.value, &text);
-  }
-  if (rule == nullptr || candidates.size() < 2) return false;
-  const auto best =
-      std::min_element(candidates.begin(), candidates.end(), [&](const auto& a, const auto& b) {
-        return rule->higher_is_better() ? a.first > b.first : a.first < b.first;
-      });
-  const std::string shown = best->second->value;
-  const auto is_best = [&](const auto& candidate) { return candidate.second->value == shown; };
-  if (std::all_of(candidates.begin(), candidates.end(), is_best)) return false;
-  for (const auto& candidate : candidates) {
-    if (is_best(candidate)) candidate.second->best = true;
-  }
-  return true;
-}
-
-bool SameFrames(const Row& a, const Row& b) {
-  return a.sequence && b.sequence && a.sequence->name == b.sequence->name &&
-         a.sequence->pair == b.sequence->pair &&
-         a.sequence->first_frame == b.sequence->first_frame &&
-         a.sequence->frames == b.sequence->frames && a.truth == b.truth;
-}
-
-// Marks the best cells of each column among lines on the same data: the same sequence, detections
-// and scene options, if the keys distinguish these, and the same correction of the calibration.
-// Published figures that are comparable with them compete too.
-void MarkBest(const Table& table, TableTexts& texts) {
-  std::vector<TextLine>& lines = texts.blocks[0].lines;
-  std::map<std::vector<std::string>, std::vector<TextLine*>> groups;
-  for (TextLine& line : lines) {
-    if (line.theirs != nullptr) continue;
-    const Row& row = *line.row;
-    std::vector<std::string> data = {row.corrections};
-    for (std::size_t i = 0; i < table.keys.size(); ++i) {
-      const std::string& key = table.keys[i];
-      if (key == "sequence" || key == "family" || key == "detections" ||
-          key.starts_with("scene.")) {
-        data.push_back(row.keys[i]);
-      }
-    }
-    groups[data].push_back(&line);
-  }
-  for (auto& [data, group] : groups) {
-    const Row& ours = *group[0]->row;
-    for (TextLine& line : lines) {
-      const bool theirs = line.row != nullptr && line.theirs != nullptr;
-      if (theirs && SameFrames(*line.row, ours)) group.push_back(&line);
-    }
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      if (MarkColumn(table, group, i)) texts.any_best = true;
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<int> ColumnDecimals(const std::vector<Measured>& figures, const std::string& unit) {
@@ -361,16 +272,9 @@ TableTexts MakeTexts(const Table& table) {
         {Printable(column.label), column.unit == "1" ? "" : Printable(column.unit)});
   }
   AddBlocks(table, texts);
-  MarkBest(table, texts);
   texts.footnotes = AllPrintable(Footnotes(table));
   texts.definitions = AllPrintable(Definitions(table));
   return texts;
-}
-
-std::string BestNote(const std::string& mark) {
-  return mark +
-         ": best value of the column among rows on the same data, whether or not the difference is "
-         "significant";
 }
 
 }  // namespace cvo::reports

@@ -36,7 +36,6 @@ struct CellText {
   std::string percent_interval;  // of a difference
   std::string n;                 // "11 bodies, 4 scenes, 5 seeds, 20 runs"
   std::string note;              // why there is no value, or why it is not comparable
-  bool best = false;             // best of its column among rows on the same data
   bool distinguishable = false;  // distinguishable from the reference
   bool grey = false;             // not comparable with the rest of its column
 
@@ -75,15 +74,11 @@ struct TableTexts {
   std::vector<std::string> text_header;  // keys of rows, then frames and truth, split, runs
   std::vector<ColumnText> columns;
   std::vector<TextBlock> blocks;  // values, then differences if there are any
-  bool any_best = false;
   std::vector<std::string> footnotes;
   std::vector<std::string> definitions;  // of the columns, from their contracts
 };
 
 TableTexts MakeTexts(const Table& table);
-
-// Returns the meaning of the mark of best cells, such as "^: best value of the column ...".
-std::string BestNote(const std::string& mark);
 
 // "[a]", "[b]", ...: the mark of a source of reference rows, given by its id.
 std::string SourceMark(const Table& table, const std::string& source);

@@ -101,16 +101,4 @@ Sphere BoundingSphere(const Mesh& mesh);
 // Returns false only if the sphere, given in the body's frame, is entirely outside the clip volume.
 bool MayBeVisible(const Eigen::Matrix4d& clip_from_body, const Sphere& sphere);
 
-// Half the side of the cv::cornerSubPix window, px: a window contains only one corner.
-inline constexpr int kCornerWindow_px = 7;
-
-// A checkerboard whose corners measure how exactly the renders follow the projection of a rig.
-struct CalibrationTarget {
-  World world;                             // its frame is the board's; the board is at z = 0
-  std::vector<Eigen::Vector3d> corners_m;  // inner corners, in the board's frame
-  std::vector<View> views;                 // board tilted and rotated, all corners in both images
-};
-
-CalibrationTarget MakeCalibrationTarget(const StereoCamera& rig);
-
 }  // namespace cvo::synth

@@ -57,34 +57,6 @@ void AddAmodalBox(const World& world, const RigidTransform& left_from_world, Bod
       std::clamp(1.0 - body.amodal_box->Width() * body.amodal_box->Height() / whole_px2, 0.0, 1.0);
 }
 
-// Motion of a rigid surface to the next frame in the left camera's frame: p_next = R p + t.
-struct Step {
-  Eigen::Matrix3d R;
-  Eigen::Vector3d t;
-};
-
-std::vector<Step> SurfaceSteps(const View& now, const View& next) {
-  const RigidTransform next_left_from_world = next.world_from_left.Inverse();
-  std::vector<Step> steps;
-  const auto add = [&](const RigidTransform& world_from_surface_now,
-                       const RigidTransform& world_from_surface_next) {
-    const RigidTransform step = next_left_from_world * world_from_surface_next *
-                                world_from_surface_now.Inverse() * now.world_from_left;
-    steps.push_back({step.RotationMatrix(), step.translation()});
-  };
-  add(RigidTransform(), RigidTransform());
-  for (std::size_t i = 0; i < now.world_from_body.size(); ++i) {
-    add(now.world_from_body[i], next.world_from_body[i]);
-  }
-  return steps;
-}
-
-// Encodes in units of 1/64 px around 2^15; returns -1 if out of range.
-int Encode(double flow_px) {
-  const double code = std::round(flow_px * 64.0) + 32768.0;
-  return code >= 0.0 && code <= 65535.0 ? static_cast<int>(code) : -1;
-}
-
 int Occlusion(const BodyTruth& body) {
   if (body.visible_px == 0) return 3;
   if (body.visible_fraction >= 0.8) return 0;
@@ -161,33 +133,6 @@ FrameTruth ComputeTruth(const World& world, int frame, const Rendering& renderin
     AddAmodalBox(world, left_from_world, body);
   }
   return truth;
-}
-
-cv::Mat ComputeFlow(const StereoCamera& rig, const Rendering& rendering, const View& now,
-                    const View& next) {
-  Require(now.world_from_body.size() == next.world_from_body.size(),
-          "ComputeFlow: both views must have the same bodies");
-  const std::vector<Step> steps = SurfaceSteps(now, next);
-  cv::Mat flow(rendering.depth.size(), CV_16UC3, cv::Scalar::all(0));
-  for (int v = 0; v < flow.rows; ++v) {
-    const auto* depth = rendering.depth.ptr<float>(v);
-    const auto* instance = rendering.instances.ptr<std::uint16_t>(v);
-    auto* out = flow.ptr<cv::Vec3w>(v);
-    for (int u = 0; u < flow.cols; ++u) {
-      const double z = depth[u];
-      if (!(z > 0.0)) continue;
-      const Step& step = steps.at(instance[u]);
-      const Eigen::Vector3d p =
-          step.R * Eigen::Vector3d((u - rig.cx) * z / rig.fx, (v - rig.cy) * z / rig.fy, z) +
-          step.t;
-      if (!(p.z() > StereoCamera::kMinDepth_m)) continue;
-      const int code_u = Encode(rig.fx * p.x() / p.z() + rig.cx - u);
-      const int code_v = Encode(rig.fy * p.y() / p.z() + rig.cy - v);
-      if (code_u < 0 || code_v < 0) continue;
-      out[u] = cv::Vec3w(1, static_cast<std::uint16_t>(code_v), static_cast<std::uint16_t>(code_u));
-    }
-  }
-  return flow;
 }
 
 std::string FormatLabels(const World& world, const FrameTruth& truth, int row_frame) {
@@ -290,8 +235,7 @@ ObjectTable ReadObjectTable(const std::filesystem::path& path, const std::vector
     if (row.id != static_cast<int>(bodies.size())) {
       ThrowError(where, StrCat("id ", row.id), "ids 1, 2, ...");
     }
-    if (bodies.size() <= table.names.size()) return;
-    table.names.push_back(row.name);
+    if (bodies.size() <= table.categories.size()) return;
     table.categories.push_back(row.category);
     table.sizes_m.push_back(row.size_m);
   });

@@ -51,13 +51,6 @@ class ProjectedBox {
   std::optional<ImageBox> box_;
 };
 
-// Computes the forward flow of the left image from one frame to the next in KITTI's encoding,
-// CV_16UC3 in OpenCV's order: valid (0 or 1), 64 v + 2^15, 64 u + 2^15 (red in the PNG file). A
-// pixel stays valid if its surface point leaves the image. It is invalid if it has no surface, if
-// its surface point moves behind the camera, or if the flow is 512 px or more.
-cv::Mat ComputeFlow(const StereoCamera& rig, const Rendering& rendering, const View& now,
-                    const View& next);
-
 // Formats the KITTI tracking labels of one frame, one line for each body with an amodal box: frame,
 // track id (body id), type (category), truncation, occlusion (0: at least 0.8 visible, 1: at least
 // 0.3, 2: less, 3: nothing), alpha, amodal box, height, width, length, bottom centre of its 3D box
@@ -85,7 +78,6 @@ std::string FormatObjectRows(const World& world, const FrameTruth& truth, int ro
 // The content of objects.csv. In `frames`, the world frame is the folder's first left camera and
 // frame numbers count from 0. Only the camera's pose is not set.
 struct ObjectTable {
-  std::vector<std::string> names;       // [id - 1]
   std::vector<std::string> categories;  // [id - 1]
   std::vector<Eigen::Vector3d> sizes_m;
   std::vector<FrameTruth> frames;

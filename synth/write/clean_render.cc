@@ -6,7 +6,6 @@
 #include <deque>
 #include <memory>
 #include <opencv2/core.hpp>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -102,8 +101,6 @@ struct DrawnFrame {
   Rendering rendering;
   cv::Mat left;  // clean, CV_8UC1
   cv::Mat right;
-  View view;
-  std::optional<View> next;  // for flow
 };
 
 // Averages sub-frames over the exposure, each at the middle of its interval.
@@ -128,30 +125,22 @@ DrawnFrame DrawFrame(const World& world, const CleanRender& render, const Drawin
   const double time_s = world.Time_s(render.first_frame + index);
   DrawnFrame frame;
   frame.index = index;
-  frame.view = ViewAt(world, time_s);
-  frame.rendering = tools.draw(frame.view);
+  frame.rendering = tools.draw(ViewAt(world, time_s));
   if (render.motion_blur.sub_frames > 1) {
     DrawBlurred(world, render.motion_blur, time_s, tools, frame.left, frame.right);
   } else {
     frame.left = LumaOf(frame.rendering.left);
     frame.right = LumaOf(frame.rendering.right);
   }
-  if (render.flow && index + 1 < render.frames) {
-    frame.next = ViewAt(world, world.Time_s(render.first_frame + index + 1));
-  }
   return frame;
 }
 
-void WriteFrame(const World& world, const DrawnFrame& frame, FolderBuild& out) {
+void WriteFrame(const DrawnFrame& frame, FolderBuild& out) {
   const std::string number = SixDigits(frame.index);
   out.Write("image_0/" + number + ".png", EncodePng(frame.left));
   out.Write("image_1/" + number + ".png", EncodePng(frame.right));
   out.Write("depth_0/" + number + ".tiff", EncodeDepthTiff(frame.rendering.depth));
   out.Write("instance_0/" + number + ".png", EncodeMaskPng(frame.rendering.instances));
-  if (frame.next) {
-    out.Write("flow_0/" + number + ".png",
-              EncodeMaskPng(ComputeFlow(world.rig, frame.rendering, frame.view, *frame.next)));
-  }
 }
 
 std::int64_t Time_ns(const World& world, int frame) {
@@ -183,21 +172,6 @@ void WriteTables(const World& world, const std::vector<FrameTruth>& truths, Fold
   out.Write("poses_right.txt", right_poses);
   out.Write("labels.txt", labels);
   out.Write("objects.csv", objects);
-}
-
-void WriteTargets(const std::vector<TargetImages>& targets, FolderBuild& out) {
-  std::string corners = "frame,corner,x,y,z\n";
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const std::string number = SixDigits(static_cast<int>(i));
-    out.Write("calibration/image_0/" + number + ".png", EncodePng(targets[i].left));
-    out.Write("calibration/image_1/" + number + ".png", EncodePng(targets[i].right));
-    for (std::size_t k = 0; k < targets[i].corners_in_left.size(); ++k) {
-      const Eigen::Vector3d& p = targets[i].corners_in_left[k];
-      corners += StrCat(i, ",", k, ",", FormatDouble(p.x()), ",", FormatDouble(p.y()), ",",
-                        FormatDouble(p.z()), "\n");
-    }
-  }
-  out.Write("calibration/targets.csv", corners);
 }
 
 }  // namespace
@@ -261,12 +235,11 @@ void WriteCleanRender(const World& world, const CleanRender& render, const Drawi
     in_flight.Add([&, frame = DrawFrame(world, render, tools, i)] {
       truths[static_cast<std::size_t>(frame.index)] =
           ComputeTruth(world, render.first_frame + frame.index, frame.rendering);
-      WriteFrame(world, frame, out);
+      WriteFrame(frame, out);
     });
     hooks.Report(i + 1, render.frames, "render");
   }
   in_flight.WaitForAll();
-  if (tools.draw_targets) WriteTargets(tools.draw_targets(), out);
   WriteTables(world, truths, out);
 }
 

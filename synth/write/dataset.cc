@@ -66,8 +66,7 @@ CleanRender ChooseFrames(const DatasetSource& source, const RenderRequest& reque
     ThrowError(source.scene + ", frames", StrCat(request.frames.first, ":", end),
                StrCat("a range within 0:", world.frames));
   }
-  return {request.frames.first, end - request.frames.first, request.flow,
-          source.sensor.motion_blur};
+  return {request.frames.first, end - request.frames.first, source.sensor.motion_blur};
 }
 
 CachedRender Draw(const DatasetSource& source, const RenderRequest& request, const fs::path& cache,
@@ -143,24 +142,6 @@ bool IsSensorImage(const std::string& name) {
   return name.starts_with("image_0/") || name.starts_with("image_1/");
 }
 
-std::vector<TargetImages> DrawTargets(const StereoCamera& rig, int threads) {
-  const CalibrationTarget target = MakeCalibrationTarget(rig);
-  Renderer renderer(target.world, threads);
-  std::vector<TargetImages> images;
-  for (const View& view : target.views) {
-    cv::Mat left, right;
-    renderer.DrawImages(view, left, right);
-    TargetImages& added = images.emplace_back();
-    added.left = LumaOf(left);
-    added.right = LumaOf(right);
-    const RigidTransform left_from_board = view.world_from_left.Inverse();
-    for (const Eigen::Vector3d& corner : target.corners_m) {
-      added.corners_in_left.push_back(left_from_board * corner);
-    }
-  }
-  return images;
-}
-
 }  // namespace
 
 SensorOptions ReadSensor(const Json& section, const std::string& where) {
@@ -195,9 +176,8 @@ std::vector<NamedDetector> ReadDetectors(const Json& section, const std::string&
 
 std::string DrawingKey(const DatasetSource& source, const RenderRequest& request) {
   return Sha256Hex(StrCat("clustervo render 1\n", source.render_key, "\nframes ",
-                          request.frames.first, ":", request.frames.end.value_or(-1), "\nflow ",
-                          request.flow, "\n", kSynthSources, "\n", source.version.gl, "\n",
-                          source.version.renderer));
+                          request.frames.first, ":", request.frames.end.value_or(-1), "\n",
+                          kSynthSources, "\n", source.version.gl, "\n", source.version.renderer));
 }
 
 std::string DatasetKey(const DatasetSource& source, const RenderRequest& request) {
@@ -251,8 +231,7 @@ DrawingTools OpenRenderer(const World& world, int threads) {
   return {[renderer](const View& view) { return renderer->Draw(view); },
           [renderer](const View& view, cv::Mat& left, cv::Mat& right) {
             renderer->DrawImages(view, left, right);
-          },
-          [rig = world.rig, threads] { return DrawTargets(rig, threads); }};
+          }};
 }
 
 DatasetSource SourceOf(const SceneDescription& scene, const RenderRequest& request) {

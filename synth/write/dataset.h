@@ -24,7 +24,7 @@ namespace cvo::synth {
 // Encodes a PNG with the fast run-length strategy. For 8-bit images the result is as small as at
 // higher levels, in a third of the time, since noise does not compress.
 std::string EncodePng(const cv::Mat& image);
-// Encodes masks and flow (16 bits) as PNG with the default strategy, which pays off for their large
+// Encodes masks (16 bits) as PNG with the default strategy, which pays off for their large
 // uniform areas.
 std::string EncodeMaskPng(const cv::Mat& image);
 
@@ -32,31 +32,22 @@ std::string EncodeMaskPng(const cv::Mat& image);
 // size, in 6 ms for 640x480. OpenCV's own writer cannot compress floats.
 std::string EncodeDepthTiff(const cv::Mat& depth);
 
-// Images of a known target in both cameras, CV_8UC1, and its corners in the left camera's frame, m.
-struct TargetImages {
-  cv::Mat left;
-  cv::Mat right;
-  std::vector<Eigen::Vector3d> corners_in_left;
-};
-
 // The functions of a renderer, or of a substitute in tests.
 struct DrawingTools {
   std::function<Rendering(const View&)> draw;
   std::function<void(const View&, cv::Mat& left, cv::Mat& right)> draw_images;
-  std::function<std::vector<TargetImages>()> draw_targets;  // may be empty
 };
 
 struct CleanRender {
   int first_frame = 0;
   int frames = 0;
-  bool flow = false;
   MotionBlurOptions motion_blur;
 };
 
 View ViewAt(const World& world, double time_s);
 
-// Writes everything in a sequence that does not depend on a seed: clean images, depth, masks, flow,
-// poses, tables and calibration targets. Renders on the calling thread while the pool encodes and
+// Writes everything in a sequence that does not depend on a seed: clean images, depth, masks,
+// poses and tables. Renders on the calling thread while the pool encodes and
 // writes the last few frames. Throws Stopped.
 void WriteCleanRender(const World& world, const CleanRender& render, const DrawingTools& tools,
                       TaskPool& pool, const WorkHooks& hooks, FolderBuild& out);
@@ -87,7 +78,6 @@ struct RenderRequest {
   SceneFrames frames;
   std::optional<std::uint64_t> seed;         // overrides the scene's
   std::vector<std::string> detector_levels;  // empty: all
-  bool flow = false;
   int threads = 2;
   WorkHooks hooks;
 };
@@ -135,8 +125,8 @@ void WriteDataset(const SceneDescription& scene, const RenderRequest& request,
                   const std::filesystem::path& folder);
 
 // Returns a contact sheet, CV_8UC3 (BGR): eleven frames spread over the scene's frames [first,
-// end), as left images in colour with tinted masks, visible boxes (solid), amodal boxes (dashed)
-// and names, and a map of the paths of the camera and the bodies from above. Throws Stopped.
+// end), as left images in colour with tinted masks, visible boxes and names, and a map of the paths
+// of the camera and the bodies from above. Throws Stopped.
 cv::Mat MakeContactSheet(const World& world, int first, int end, const DrawingTools& tools,
                          const WorkHooks& hooks);
 
@@ -144,9 +134,8 @@ cv::Mat MakeContactSheet(const World& world, int first, int end, const DrawingTo
 std::vector<cv::Scalar> BodyColours(std::size_t bodies);
 
 // Draws the scene from above, with the world's x to the right and y up: the paths over frames
-// [first, end) of the camera (black, with its field of view at the start) and of the bodies (in
-// their colours, with their boxes at the start), a dot at the end of each path, and a scale bar.
-// Fills `canvas` (CV_8UC3).
+// [first, end) of the camera (black) and of the bodies (in their colours, with their boxes at the
+// start), and a dot at the end of each path. Fills `canvas` (CV_8UC3).
 void DrawPathMap(const World& world, int first, int end, const std::vector<cv::Scalar>& colours,
                  cv::Mat canvas);
 

@@ -52,7 +52,6 @@ class Chart {
   void Dot(const Eigen::Vector2d& p, int radius_px, const cv::Scalar& colour) {
     cv::circle(canvas_, At(p), 16 * radius_px, colour, cv::FILLED, cv::LINE_AA, 4);
   }
-  double pixels_per_m() const { return pixels_per_m_; }
 
  private:
   cv::Mat canvas_;
@@ -81,36 +80,6 @@ Path BoxFromAbove(const Body& body, const RigidTransform& world_from_body) {
     corners.emplace_back((world_from_body * corner).head<2>());
   }
   return corners;
-}
-
-// The camera's field of view at the start, as two short lines.
-Path ViewWedge(const World& world, double time_s, double length_m) {
-  const RigidTransform world_from_left = world.camera->At(time_s).world_from_body;
-  const double slope = world.rig.width_px / 2.0 / world.rig.fx;
-  Path wedge;
-  for (const double side : {-slope, 0.0, slope}) {
-    const Eigen::Vector3d p = side == 0.0 ? Eigen::Vector3d(0.0, 0.0, 0.0)
-                                          : Eigen::Vector3d(side * length_m, 0.0, length_m);
-    wedge.emplace_back((world_from_left * p).head<2>());
-  }
-  return wedge;
-}
-
-// Draws the longest of 0.1, 0.2, 0.5, 1, ... 100 m that takes at most a third of the width.
-void DrawScaleBar(double pixels_per_m, cv::Mat& canvas) {
-  double length_m = 0.1;
-  for (const double step : {2.0, 2.5, 2.0, 2.0, 2.5, 2.0, 2.0, 2.5, 2.0}) {
-    if (length_m * step * pixels_per_m > canvas.cols / 3.0) break;
-    length_m *= step;
-  }
-  const cv::Point left(12, canvas.rows - 12);
-  const cv::Point right = left + cv::Point(static_cast<int>(length_m * pixels_per_m), 0);
-  cv::line(canvas, left, right, kInk, 2);
-  for (const cv::Point& end : {left, right}) {
-    cv::line(canvas, end - cv::Point(0, 4), end + cv::Point(0, 4), kInk, 2);
-  }
-  cv::putText(canvas, StrCat(length_m, " m"), right + cv::Point(10, 4), cv::FONT_HERSHEY_SIMPLEX,
-              0.4, kInk, 1, cv::LINE_AA);
 }
 
 constexpr int kCells = 12;  // the last one shows the map
@@ -145,27 +114,6 @@ void Tint(const cv::Mat& instances, const std::vector<cv::Scalar>& colours, cv::
   }
 }
 
-void DrawDashes(const cv::Point& a, const cv::Point& b, const cv::Scalar& colour, cv::Mat& canvas) {
-  constexpr double kDash_px = 5.0;
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
-  const int dashes = std::max(1, static_cast<int>(length / kDash_px));
-  for (int i = 0; i < dashes; i += 2) {
-    const auto at = [&](double s) {
-      return cv::Point(static_cast<int>(std::lround(a.x + s * (b.x - a.x))),
-                       static_cast<int>(std::lround(a.y + s * (b.y - a.y))));
-    };
-    cv::line(canvas, at(double(i) / dashes), at(std::min(1.0, (i + 1.0) / dashes)), colour, 1,
-             cv::LINE_AA);
-  }
-}
-
-void DrawAmodalBox(const ImageBox& box, const cv::Scalar& colour, Cell& cell) {
-  const cv::Point corners[4] = {cell.At(box.left_px, box.top_px), cell.At(box.right_px, box.top_px),
-                                cell.At(box.right_px, box.bottom_px),
-                                cell.At(box.left_px, box.bottom_px)};
-  for (int i = 0; i < 4; ++i) DrawDashes(corners[i], corners[(i + 1) % 4], colour, cell.canvas);
-}
-
 // Draws a name on a patch of the given colour, within the image.
 void DrawName(const std::string& name, cv::Point corner, const cv::Scalar& colour,
               cv::Mat& canvas) {
@@ -184,7 +132,6 @@ void DrawBodies(const World& world, const FrameTruth& truth, const std::vector<c
                 Cell& cell) {
   for (std::size_t i = 0; i < truth.bodies.size(); ++i) {
     const BodyTruth& body = truth.bodies[i];
-    if (body.amodal_box) DrawAmodalBox(*body.amodal_box, colours[i], cell);
     if (!body.visible_box) continue;
     const ImageBox& box = *body.visible_box;
     cv::rectangle(cell.canvas, cell.At(box.left_px, box.top_px),
@@ -245,10 +192,8 @@ void DrawPathMap(const World& world, int first, int end, const std::vector<cv::S
     chart.Line(path, false, colours[i], 2);
     chart.Dot(path.back(), 3, colours[i]);
   }
-  chart.Line(ViewWedge(world, start_s, 45.0 / chart.pixels_per_m()), false, kInk, 1);
   chart.Line(shapes[0], false, kInk, 2);
   chart.Dot(shapes[0].back(), 4, kInk);
-  DrawScaleBar(chart.pixels_per_m(), canvas);
 }
 
 cv::Mat MakeContactSheet(const World& world, int first, int end, const DrawingTools& tools,

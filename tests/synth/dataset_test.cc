@@ -67,8 +67,7 @@ class WriteDatasetTest : public testing::Test {
                           [&world](const View& view, cv::Mat& left, cv::Mat& right) {
                             left = Draw(world, view).left;
                             right = left.clone();
-                          },
-                          nullptr};
+                          }};
     };
     request_.hooks.notice = [this](const std::string& text) { notices_.push_back(text); };
   }
@@ -92,11 +91,9 @@ class WriteDatasetTest : public testing::Test {
 };
 
 TEST_F(WriteDatasetTest, FolderIsCompleteAndListedInItsManifest) {
-  EXPECT_FALSE(fs::exists(Write("set") / "flow_0"));
-  request_.flow = true;
   const fs::path set = Write("set");
   const std::vector<std::string> files = FilesIn(set);
-  EXPECT_EQ(files.size(), 4U * 6U + 5U + 6U + 3U + 2U);
+  EXPECT_EQ(files.size(), 4U * 6U + 6U + 3U + 2U);
   const Manifest manifest = ReadManifest(set);
   std::vector<std::string> listed = {kManifestName};
   for (const FileRecord& file : manifest.files) listed.push_back(file.name);
@@ -119,7 +116,6 @@ TEST_F(WriteDatasetTest, FolderIsCompleteAndListedInItsManifest) {
 }
 
 TEST_F(WriteDatasetTest, ImagesAgreeWithTheTruth) {
-  request_.flow = true;
   source_.sensor = NoiselessSensor({});
   const fs::path set = Write("set");
   const auto read = [&](const char* name) {
@@ -133,29 +129,10 @@ TEST_F(WriteDatasetTest, ImagesAgreeWithTheTruth) {
   ASSERT_EQ(left.type(), CV_8UC1);
   EXPECT_EQ(left.at<unsigned char>(0, 0), 100);
   EXPECT_EQ(left.at<unsigned char>(35, 45), 200);
-  const cv::Mat flow = read("flow_0/000000.png");
-  // 0.1 m to the left at 4 m: -2.5 px.
-  EXPECT_EQ(flow.at<cv::Vec3w>(35, 45), cv::Vec3w(1, 32768, 32768 - 160));
-  EXPECT_EQ(flow.at<cv::Vec3w>(5, 5), cv::Vec3w(1, 32768, 32768));
   // Images without the effects of a sensor are those of the cache, which nobody may write.
   EXPECT_TRUE(fs::equivalent(set / "image_1/000000.png", CacheEntry() / "image_1/000000.png"));
   const auto permissions = fs::status(CacheEntry() / "depth_0/000000.tiff").permissions();
   EXPECT_EQ(permissions & fs::perms::all, fs::perms(0444));
-}
-
-TEST_F(WriteDatasetTest, WritesCalibrationTargetsWithTheirCorners) {
-  source_.open_tools = [](const World& world) {
-    const auto targets = [] {
-      const cv::Mat image(8, 8, CV_8UC1, cv::Scalar(50));
-      return std::vector<TargetImages>{{image, image, {{0.5, -0.25, 2.0}, {1.0, 0.0, 3.0}}}};
-    };
-    return DrawingTools{[&world](const View& view) { return Draw(world, view); }, nullptr, targets};
-  };
-  const fs::path set = Write("set");
-  EXPECT_EQ(ReadFile(set / "calibration/targets.csv"),
-            "frame,corner,x,y,z\n0,0,0.5,-0.25,2\n0,1,1,0,3\n");
-  EXPECT_TRUE(fs::exists(set / "calibration/image_0/000000.png"));
-  EXPECT_TRUE(fs::exists(set / "calibration/image_1/000000.png"));
 }
 
 TEST_F(WriteDatasetTest, AnotherSeedOrNumberOfThreadsGivesTheSameDrawing) {
@@ -201,7 +178,7 @@ TEST_F(WriteDatasetTest, StoppedOrFailedRenderLeavesNothing) {
                           }
                           return Draw(world, view);
                         },
-                        nullptr, nullptr};
+                        nullptr};
   };
   EXPECT_EQ(ErrorMessage([&] { Write("set"); }), "no more");
   EXPECT_THAT(FilesIn(temp_.path()), ElementsAre());

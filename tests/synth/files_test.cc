@@ -168,7 +168,7 @@ DrawingTools Tools(const World& world, int& draws) {
             ++draws;
             return DrawHalf(world);
           },
-          nullptr, nullptr};
+          nullptr};
 }
 
 TEST(MakeContactSheet, HasElevenFramesWithTintedMasksAndAMap) {

@@ -224,7 +224,7 @@ Command AddCheckCommand(CLI::App& program) {
       "Runs are paired by scene and seed. A variant regresses in a metric if its mean difference "
       "is\nworse than noise between seeds fails one check in a hundred.\nExit code 1 on a "
       "regression, or if a job or a metric of the baseline is missing, failed or is\ndefined "
-      "differently. Times are relative to the variant static and only cause warnings.\n"
+      "differently.\n"
       "Example: clustervo check results/ci --baseline reports/baselines/ci.json");
   app->callback([flags] {
     if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;

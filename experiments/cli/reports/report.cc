@@ -26,7 +26,8 @@ constexpr std::size_t kMinFrames = 8;
 constexpr std::size_t kMaxFrames = 150;
 
 // Adds left images of a run, evenly spaced and drawn upon. Throws Error if that is impossible.
-void AddImages(const fs::path& run_folder, std::size_t most, reports::PageScene& scene) {
+void AddImages(const fs::path& run_folder, std::size_t most, std::vector<std::string>& missing,
+               reports::PageScene& scene) {
   if (!fs::exists(run_folder / "landmarks.csv")) {
     throw Error("the run has no landmarks.csv, so its images are not shown");
   }
@@ -44,21 +45,18 @@ void AddImages(const fs::path& run_folder, std::size_t most, reports::PageScene&
     scene.images.push_back(
         {number, reports::JpegBytes(drawn, kQuality), reports::StatusText(frame)});
   }
-  for (const std::string& line : run.missing) scene.detail.missing.push_back("images: " + line);
+  missing.insert(missing.end(), run.missing.begin(), run.missing.end());
   if (scene.images.empty()) throw Error("none of the run's images can be read");
 }
 
-// Adds to each scene that wants images as many as fit into kMaxImageBytes.
+// Adds to each scene as many images as fit into kMaxImageBytes.
 void AddSceneImages(const fs::path& folder, reports::PageContent& content) {
-  const auto wanting =
-      static_cast<std::size_t>(std::count_if(content.scenes.begin(), content.scenes.end(),
-                                             [](const auto& scene) { return scene.wants_images; }));
+  const std::size_t scenes = std::max<std::size_t>(content.scenes.size(), 1);
+  const std::size_t most =
+      std::clamp(kMaxImageBytes / scenes / kTypicalImageBytes, kMinFrames, kMaxFrames);
   for (reports::PageScene& scene : content.scenes) {
-    if (!scene.wants_images) continue;
-    const std::string& job = content.runs[scene.run].run.planned.job;
     try {
-      AddImages(folder / "jobs" / job,
-                std::clamp(kMaxImageBytes / wanting / kTypicalImageBytes, kMinFrames, kMaxFrames),
+      AddImages(folder / "jobs" / content.runs[scene.run].planned.job, most, content.missing,
                 scene);
     } catch (const Error& error) {
       scene.no_images = error.what();
@@ -69,13 +67,6 @@ void AddSceneImages(const fs::path& folder, reports::PageContent& content) {
 reports::PageRequest RequestOf(const ReportFlags& flags) {
   reports::PageRequest request;
   request.folder = NormalFolder(flags.folder);
-  if (!flags.against.empty()) {
-    request.against = NormalFolder(flags.against);
-    if (!fs::exists(request.against / "plan.json")) {
-      throw UsageError(
-          StrCat("--against ", flags.against, ": found no plan.json, expected a suite's folder"));
-    }
-  }
   request.default_options = DefaultOptions();
   for (const VariantInfo& variant : Variants()) {
     request.variants.emplace_back(variant.name, variant.changes);
@@ -89,13 +80,11 @@ int WriteReport(const ReportFlags& flags) {
   const reports::PageRequest request = RequestOf(flags);
   reports::PageContent content = reports::ReadPage(request);
   const fs::path out = flags.out.empty() ? fs::path(flags.folder) / "report" : fs::path(flags.out);
-  const OutputFolder output = OpenOutput(out, {"index.html"}, {request.folder, request.against});
+  const OutputFolder output = OpenOutput(out, {"index.html"}, {request.folder});
   if (!flags.no_images) {
     AddSceneImages(request.folder, content);
   } else {
-    for (reports::PageScene& scene : content.scenes) {
-      if (scene.wants_images) scene.no_images = "left out by --no-images";
-    }
+    for (reports::PageScene& scene : content.scenes) scene.no_images = "left out by --no-images";
   }
   WriteFilesAtomically(out, {{"index.html", reports::PageHtml(content)}});
   std::cout << "written: " << (out / "index.html").string() << '\n';
@@ -110,7 +99,6 @@ Command AddReportCommand(CLI::App& program) {
   const auto flags = std::make_shared<ReportFlags>();
   add("DIR", flags->folder, "", "output folder of a suite")->required();
   add("-o,--output", flags->out, "OUT", "output folder for index.html; default: DIR/report");
-  add("--against", flags->against, "DIR", "second output folder of the suite to compare with");
   app->add_flag("--no-images", flags->no_images, "write the page without images");
   app->footer(
       "The page is self-contained and works offline. It lists what is missing or failed.\nExit "

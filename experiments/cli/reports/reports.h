@@ -40,7 +40,6 @@ std::string DefaultOptions();
 struct ReportFlags {
   std::string folder;
   std::string out = {};  // empty: the subfolder "report"
-  std::string against = {};
   bool no_images = false;
 };
 

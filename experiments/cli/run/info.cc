@@ -119,8 +119,8 @@ std::ptrdiff_t FramesWithTruth(const Sequence& sequence) {
 }
 
 std::vector<std::string> Warnings(const Sequence& sequence, const std::optional<PairCheck>& pair) {
-  const std::unique_ptr<BodyTruthReader> bodies = ReadBodyTruth(sequence);
-  std::vector<std::string> lines = FindImplausible(sequence, bodies ? &bodies->objects() : nullptr);
+  ReadBodyTruth(sequence);  // throws Error if files contradict each other
+  std::vector<std::string> lines = FindImplausible(sequence);
   if (pair && !pair->problem.empty()) lines.push_back("stereo pair: " + pair->problem);
   return lines;
 }

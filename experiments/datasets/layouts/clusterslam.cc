@@ -25,13 +25,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Settings {
-  std::string quaternion = "auto";  // "xyzw", "wxyz", or "auto": the landmarks decide
-  double rate_hz = 10.0;            // images have no timestamps
-  double mover_travel_m = 0.0;      // 0: indoors for SUNCG-*, outdoors for CARLA-*
+  double rate_hz = 10.0;        // images have no timestamps
+  double mover_travel_m = 0.0;  // 0: indoors for SUNCG-*, outdoors for CARLA-*
 
   template <typename Self, typename Archive>
   static void VisitFields(Self& self, Archive& archive) {
-    archive.Added("quaternion", self.quaternion);
     archive.Added("rate_hz", self.rate_hz);
     archive.Added("mover_travel_m", self.mover_travel_m);
   }
@@ -168,15 +166,9 @@ double Drift(const std::vector<Seen>& all, const Poses& poses) {
 
 // Either order gives unit quaternions, and sources disagree. The landmarks decide.
 Poses ChoosePoses(const std::vector<fs::path>& files, const std::vector<Seen>& seen,
-                  const Settings& settings, Sequence& sequence) {
+                  Sequence& sequence) {
   constexpr double kStill = 0.02;  // fraction of the depth
   constexpr double kClear = 0.5;   // fraction of the drift with the other order
-  if (settings.quaternion != "auto") {
-    if (settings.quaternion != "xyzw" && settings.quaternion != "wxyz") {
-      ThrowError("layout settings, quaternion", Quoted(settings.quaternion), "auto, xyzw or wxyz");
-    }
-    return ReadPoses(files, settings.quaternion == "wxyz");
-  }
   Poses w_first = ReadPoses(files, true);
   Poses w_last = ReadPoses(files, false);
   const double drift_first = Drift(seen, w_first);
@@ -189,9 +181,7 @@ Poses ChoosePoses(const std::vector<fs::path>& files, const std::vector<Seen>& s
                "poses of the camera in the world (x right, y down, z ahead)");
   }
   if (least >= kClear * std::max(drift_first, drift_last)) {
-    sequence.missing.emplace_back(
-        "landmarks that tell the order of quaternions: w x y z is taken (layout setting "
-        "quaternion)");
+    sequence.missing.emplace_back("landmarks that tell the order of quaternions: w x y z is taken");
     return w_first;
   }
   return drift_first < drift_last ? w_first : w_last;
@@ -275,7 +265,7 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
   const bool street = sequence.name.starts_with("CARLA");
   const std::string category = street ? "Car" : "Block";
   AddBoxesOfLandmarks(observed, category, sequence);
-  const Poses poses = ChoosePoses(files, observed.still, settings, sequence);
+  const Poses poses = ChoosePoses(files, observed.still, sequence);
   BodyTracks tracks;
   ObjectTruth& truth = tracks.objects;
   truth.contract.truth = reports::TruthSource::kOfficial;

@@ -67,7 +67,7 @@ class CliSynthRender : public test::CommandTest {
 };
 
 TEST_F(CliSynthRender, PassesItsCheck) {
-  RenderTiny({"--flow", "-q"});
+  RenderTiny({"-q"});
   if (IsSkipped() || HasFatalFailure()) return;
   const ProcessResult check = RunProgram({"synth", "check", out("tiny").string()});
   EXPECT_EQ(check.exit_code, 0) << check.out << check.err;

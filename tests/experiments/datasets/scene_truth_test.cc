@@ -80,12 +80,6 @@ TEST_F(SceneTruth, AcceptsASceneWithoutBodies) {
   EXPECT_TRUE(bodies[2].empty());
 }
 
-TEST_F(SceneTruth, RefusesAnotherHeader) {
-  const fs::path path = folder_.Write("objects.csv", "frame,id\n0,1\n");
-  EXPECT_THAT(ErrorMessage([&] { ReadSceneBodies(path, 1); }),
-              AllOf(HasSubstr("objects.csv:1: found \"frame,id\""), HasSubstr("amodal_bottom")));
-}
-
 TEST_F(SceneTruth, RefusesBadCellsNamingLineAndColumn) {
   EXPECT_THAT(ObjectsError(InView("1,2,3,", "1,two,3,")),
               HasSubstr("objects.csv:2: found \"two\" in column y, expected a finite number"));

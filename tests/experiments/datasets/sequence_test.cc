@@ -14,6 +14,7 @@ namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -239,6 +240,20 @@ TEST_F(Sequences, FindStopsAtCyclicLinks) {
   WriteOdometrySequence(root_);
   fs::create_directory_symlink(root_.path(), root_.path() / "again");
   EXPECT_EQ(FindSequences(root_.path()).size(), 1u);
+}
+
+TEST(Plausibility, ReportsBaselinesInTheWrongUnitAndJumpsOfTheCamera) {
+  Sequence sequence;
+  sequence.camera.baseline_m = 120.0;
+  sequence.timestamps_ns = {0, 100'000'000, 200'000'000};
+  sequence.groundtruth_world_from_camera.assign(3, RigidTransform());
+  EXPECT_THAT(FindImplausible(sequence), ElementsAre("calibration: a baseline of 120 m"));
+  sequence.camera.baseline_m = 0.54;
+  EXPECT_THAT(FindImplausible(sequence), IsEmpty());
+  sequence.groundtruth_world_from_camera[1] =
+      RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(50.0, 0.0, 0.0));
+  EXPECT_THAT(FindImplausible(sequence),
+              ElementsAre(AllOf(HasSubstr("frame 1: 50 m"), HasSubstr("1 more"))));
 }
 
 TEST(DetectionsFromLabels, KeepOnlyTheBoxes) {

@@ -95,13 +95,6 @@ TEST(TrajectoryAlignment, OrientationsOfAStraightPathAreAlignedSeparately) {
   }
 }
 
-TEST(TrajectoryAlignment, NamesAreParsed) {
-  EXPECT_EQ(ParseTrajectoryAlignment("yaw"), TrajectoryAlignment::kYaw);
-  EXPECT_EQ(ErrorMessage([] { ParseTrajectoryAlignment("se2"); }),
-            "alignment: found se2, expected one of: none, se3, sim3, origin, yaw");
-}
-
-// Where orientations are not aligned separately, the alignment of the positions rotates them.
 TEST(TrajectoryAlignment, OriginAlignmentRotatesTheOrientations) {
   CommonPoses poses = PosesMovedBy(Motion(1.0, {0.4, -0.3, 0.9}));
   const auto origin = TrajectoryAlignment::kOrigin;
@@ -141,11 +134,6 @@ TEST(Association, NearestWinsAndIsOneToOne) {
   EXPECT_THAT(a.pairs, ElementsAre(Pair(1, 0)));
   EXPECT_EQ(a.unmatched_a, 1u);
   EXPECT_EQ(a.unmatched_b, 0u);
-}
-
-TEST(Association, TiesGoToTheFirst) {
-  EXPECT_THAT(AssociateByTime(At({0, 20}), At({10})).pairs, ElementsAre(Pair(0, 0)));
-  EXPECT_THAT(AssociateByTime(At({10}), At({0, 20})).pairs, ElementsAre(Pair(0, 0)));
 }
 
 TEST(Association, PosesLandOnTheirFrames) {

@@ -113,26 +113,15 @@ TEST(Chart, EscapesTextsAndWritesValuesAsTooltips) {
                          HasSubstr("&lt;/text&gt;&lt;script&gt;"), Not(HasSubstr("<script"))));
 }
 
-TEST(Chart, DrawsIntervalsAsABandAndWrapsCategories) {
+TEST(Chart, DrawsIntervalsAsABandAndNamesCategories) {
   Panel panel;
-  panel.x.scale = AxisScale::kCategory;
-  panel.x.categories = {"a", "a longer name"};
+  panel.y.scale = AxisScale::kCategory;
+  panel.y.categories = {"a", "a longer name"};
   panel.series = {{SeriesKind::kBand, "band", {2}, {{0, 2}, {1, 1}}}};
   for (Datum& datum : panel.series[0].data) datum.y_interval = ValueRange{datum.y, datum.y + 1.0};
   const std::string svg = ChartSvg(OnePanel(panel));
   EXPECT_EQ(Count(svg, "fill=\"#d55e00\""), 2U) << "with that of the legend";
   EXPECT_THAT(TextsOf(svg), testing::IsSupersetOf({"a", "a longer name"}));
-}
-
-TEST(Chart, AHeatMapHasItsLabelsAboveAndItsTextsInTheCells) {
-  Panel panel;
-  panel.x = {"", AxisScale::kCategory, {"camera ATE"}};
-  panel.y = {"", AxisScale::kCategory, {"room"}};
-  panel.cells = {{0, 0, -1.0, "−31", "room: 2 against 3", true}};
-  const std::string svg = ChartSvg(OnePanel(panel));
-  EXPECT_THAT(svg, AllOf(HasSubstr("class=\"chart-less\" fill=\"#2166ac\" fill-opacity=\"0.7\""),
-                         HasSubstr("<title>room: 2 against 3</title>")));
-  EXPECT_THAT(TextsOf(svg), ElementsAre("−31", "camera ATE", "room"));
 }
 
 TEST(Chart, PathsOfEqualScaleAreNotDistorted) {

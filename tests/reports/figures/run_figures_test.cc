@@ -73,15 +73,6 @@ TEST(ErrorOverTime, MarksSwitchesAndHiddenFrames) {
   EXPECT_THAT(figure.caption, HasSubstr("Shaded: the body is not visible"));
 }
 
-TEST(ErrorOverTime, NamesVariantsWithoutAnEstimate) {
-  SuiteData data = DrawnSuite({"full", "static"});
-  data.drawn[1].detail.bodies[0].estimated.clear();
-  data.drawn[1].detail.bodies[0].predicted.clear();
-  const Figure figure = Drawn(AddErrorOverTime, data).figures.at(0);
-  EXPECT_THAT(figure.caption, HasSubstr("No estimate of these bodies: static."));
-  EXPECT_THAT(SeriesNamed(figure.chart, "static"), IsEmpty());
-}
-
 TEST(ErrorOverTime, IsLogarithmicWhereErrorsAreFarApart) {
   SuiteData data = DrawnSuite({"full", "2d"});
   const auto scale = [&] {

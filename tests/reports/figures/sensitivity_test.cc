@@ -118,13 +118,6 @@ TEST(Sensitivity, DrawsOneLinePerValueOfOtherOptionsInAFullGrid) {
 }
 
 TEST(Sensitivity, ReportsWhyNothingIsDrawn) {
-  SuiteData pooled = test::SweptSuite("a", {1, 2});
-  pooled.table.keys = {"variant"};
-  for (Row& row : pooled.table.rows) row.keys = {"full"};
-  const SuiteFigures over = Draw(pooled);
-  EXPECT_THAT(over.figures, IsEmpty());
-  EXPECT_THAT(over.not_drawn, ElementsAre(AllOf(HasSubstr("Sensitivity to a"),
-                                                HasSubstr("no rows by this option"))));
   EXPECT_THAT(Draw(test::SweptSuite("a", {1})).not_drawn, ElementsAre(HasSubstr("at least 2")));
   SuiteData many = test::SweptSuite("a", {1, 2});
   many.table.keys = {"a", "sequence"};

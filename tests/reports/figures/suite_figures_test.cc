@@ -48,57 +48,27 @@ struct TwoVariants : SuiteResults {
   }
 };
 
-TEST(ErrorReduction, IsAHeatMapOfSequencesAndMeasures) {
+TEST(Ablation, DrawsDifferencesWithIntervals) {
   const TwoVariants suite;
-  const Figure figure = test::FindFigure(Draw(suite.Written()), "error-reduction");
-  EXPECT_THAT(figure.title, HasSubstr("Change in error relative to full, in percent"));
-  ASSERT_THAT(figure.chart.panels, SizeIs(1));
-  const Panel& map = figure.chart.panels[0];
-  EXPECT_EQ(map.title, "2d");
-  EXPECT_THAT(map.y.categories, ElementsAre("room")) << "all sequences are this one";
-  EXPECT_THAT(map.x.categories,
-              ElementsAre("camera ATE", "1 − object coverage", "object ATE", "not within 10 cm"));
-  // Coverage falls from 4/5 to 3/5: the uncovered share doubles. Errors in common frames double.
-  // Seven bodies, all alike, are distinguishable; one scene is not.
-  std::vector<std::string> texts;
-  for (const HeatCell& cell : map.cells) texts.push_back(cell.text);
-  EXPECT_THAT(texts, ElementsAre("(0)", "+100", "+100", "+100"));
-  EXPECT_EQ(map.cells[0].value, 0.0);
-  EXPECT_EQ(map.cells[2].value, 1.0);
-  EXPECT_EQ(map.cells[2].tip, "room, 2d, object ATE: 0.04 m against 0.02 m, 7 pairs");
+  const Figure figure = test::FindFigure(Draw(suite.Written()), "ablation");
+  EXPECT_THAT(figure.title, HasSubstr("Paired difference from full."));
+  ASSERT_THAT(figure.chart.panels, SizeIs(3)) << "one scene has no interval of the camera's ATE";
+  const Panel& ate = figure.chart.panels[1];
+  EXPECT_EQ(ate.title, "object ATE");
+  EXPECT_EQ(ate.x.title, "difference (m)");
+  EXPECT_THAT(ate.y.categories, ElementsAre("2d"));
+  // Errors in common frames double in all seven bodies.
+  const Series points = test::SeriesNamed(figure.chart, "significant").at(1);
+  EXPECT_NEAR(points.data.at(0).x, 0.02, 1e-9);
+  EXPECT_EQ(points.data[0].tip, "2d: 0.04 m against 0.02 m, 7 pairs");
 }
 
-TEST(ErrorReduction, ShowsLargeIncreasesAsAFactorAndTellsEqualLabelsApart) {
-  test::SuiteResults suite;
-  suite.table["rows"] = {"variant"};
-  suite.table["reference"] = "full";
-  for (const auto& [variant, error_m] : {std::pair{"full", 0.02}, {"2d", 0.3}}) {
-    suite.Add(WithBodies(Result("room"), Json::array({BodyOf(1, {error_m, error_m})})), variant, 1);
-  }
-  SuiteData data = ReadSuiteData(suite.Written(), MakeTable(suite.Written(), {}, ""));
-  for (Column& column : data.table.columns) {
-    if (column.metric == "camera_ate") column.label = "object ATE";
-  }
-  const Panel map = test::FindFigure(MakeSuiteFigures(data), "error-reduction").chart.panels.at(0);
-  EXPECT_EQ(std::count(map.x.categories.begin(), map.x.categories.end(), "object ATE (m)"), 2);
-  std::vector<std::string> texts;
-  for (const HeatCell& cell : map.cells) texts.push_back(cell.text);
-  EXPECT_THAT(texts, Contains("(×15)"));
-}
-
-TEST(ErrorReduction, NeedsAReferenceAndFewEnoughRows) {
+TEST(Ablation, NeedsAReference) {
   TwoVariants suite;
   suite.table["reference"] = "";
   const SuiteFigures drawing = Draw(suite.Written());
-  EXPECT_EQ(test::FindFigure(drawing, "error-reduction").name, "");
+  EXPECT_EQ(test::FindFigure(drawing, "ablation").name, "");
   EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr("names no reference")));
-  SuiteData data = test::DrawnSuite({"full"});
-  data.table.reference = "full";
-  for (int i = 0; i < 201; ++i) {
-    data.runs.push_back({data.plan.runs[0], "not run", "", "", std::nullopt});
-    data.runs.back().planned.keys["sequence"] = "room " + std::to_string(i);
-  }
-  EXPECT_THAT(MakeSuiteFigures(data).not_drawn, Contains(HasSubstr("201 rows, at most 200")));
 }
 
 TEST(SuiteFigures, ReportMissingResults) {
@@ -108,7 +78,7 @@ TEST(SuiteFigures, ReportMissingResults) {
   suite.Plan("room", "2d");
   const SuiteFigures drawing = Draw(suite.Written());
   EXPECT_THAT(drawing.figures, IsEmpty());
-  EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr("Change in error")));
+  EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr("Differences from the reference")));
 }
 
 TEST(SuiteFigures, NameEachMissingFileOnce) {

@@ -54,9 +54,6 @@ class GateFolder {
     edit(json);
     folder_.Write("plan.json", json.dump());
   }
-  void WriteTime(const std::string& id, double median_ms) const {
-    folder_.Write("jobs/" + id + "/timing.json", TimingOf("estimate", median_ms).dump());
-  }
   void Write(const std::string& name, const std::string& content) const {
     folder_.Write(name, content);
   }
@@ -72,7 +69,6 @@ class GateFolder {
     result["build"]["commit"] = "0123456789abcdef";
     result["metrics"][1]["value"] = Ate(scene, seed);
     folder_.Write("jobs/" + id + "/result.json", result.dump());
-    WriteTime(id, variant == "static" ? 10.0 : 30.0);
   }
 
   void WritePlan() const {

@@ -131,30 +131,6 @@ TEST(OverlayRun, ReportsMissingFiles) {
   EXPECT_EQ(FrameOf(run, 10).clusters.size(), 1U);
 }
 
-TEST(OverlayRun, ReportsTruncatedFiles) {
-  OverlayFiles files;
-  files.landmarks.resize(files.landmarks.size() - 4);
-  EXPECT_THAT(files.Read().missing,
-              ElementsAre(AllOf(HasSubstr("without landmarks"), HasSubstr("landmarks.csv:5"),
-                                HasSubstr("without a line end"))));
-  files = {};
-  files.landmarks.insert(files.landmarks.find("40,50"), "x");
-  EXPECT_THAT(files.Read().missing, ElementsAre(AllOf(HasSubstr("landmarks.csv:3"),
-                                                      HasSubstr("\"x40\" in column u_px"))));
-  files = {};
-  files.landmarks += "11,2\n";
-  EXPECT_THAT(files.Read().missing, ElementsAre(HasSubstr(":6: found 2 cells, expected 19")));
-  files = {};
-  files.landmarks = "frame,id\n";
-  EXPECT_THAT(files.Read().missing,
-              ElementsAre(HasSubstr("found \"frame,id\", expected the header \"frame,id,u_px,")));
-  files = {};
-  files.files.objects.resize(files.files.objects.size() - 4);
-  const OverlayRun run = files.Read();
-  EXPECT_THAT(run.missing, ElementsAre(HasSubstr("without clusters")));
-  EXPECT_THAT(FrameOf(run, 10).clusters, IsEmpty());
-}
-
 TEST(OverlayRun, RefusesOtherFolders) {
   const test::TempFolder empty;
   const auto read = [](const test::TempFolder& folder) {

@@ -124,21 +124,6 @@ TEST(RunDetail, ListsDamagedFilesAndKeepsTheRest) {
           AllOf(HasSubstr("timing.json, stages, detect, field p95_ms"), HasSubstr("nothing"))));
 }
 
-TEST(RunDetail, NamesTheLineOfADamagedTable) {
-  test::RunFiles files;
-  files.objects += "13,4,7,car,tracked\n";
-  EXPECT_THAT(Read(files).missing,
-              ElementsAre(AllOf(HasSubstr("objects.csv:4"), HasSubstr("5 cells"),
-                                HasSubstr("48, as line 1 has"))));
-  files = {};
-  files.objects.replace(files.objects.find("\n11,"), 4, "\nxx,");
-  EXPECT_THAT(Read(files).missing,
-              ElementsAre(AllOf(HasSubstr("objects.csv:2"), HasSubstr("\"xx\" in column frame"))));
-  files = {};
-  files.objects.replace(files.objects.find("0.1,"), 3, "inf");
-  EXPECT_THAT(Read(files).missing, ElementsAre(HasSubstr("in column refined_vx")));
-}
-
 TEST(RunDetail, ListsFilesOfAnotherSchemaOrKind) {
   test::RunFiles files;
   files.truth["schema_version"] = 9;

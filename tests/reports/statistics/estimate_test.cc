@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -101,25 +100,6 @@ TEST(Statistics, SeedsAndBodiesDoNotNarrowAnInterval) {
   EXPECT_EQ(once->pairs, 12U);
 }
 
-// The variance over resamples is that of the mean over n scenes; drawing n of n scenes would give
-// (n - 1) / n of it.
-TEST(Statistics, SpreadOfTheBootstrapIsThatOfTheMean) {
-  constexpr int kRooms = 5;
-  const auto strata = GroupSamples(SharedRooms(5, kRooms, 0.0), Within::kMean);
-  const std::vector<Unit>& rooms = strata->units[0];
-  double mean = 0.0;
-  double expected = 0.0;
-  for (const Unit& room : rooms) mean += room.parts[0].sum / kRooms;
-  for (const Unit& room : rooms) {
-    expected += std::pow(room.parts[0].sum - mean, 2) / (kRooms - 1) / kRooms;
-  }
-  double variance = 0.0;
-  for (const auto& r : Bootstrap(strata->units, strata->within)) {
-    variance += std::pow(r[0] - mean, 2) / kResamples;
-  }
-  EXPECT_NEAR(variance, expected, 0.06 * expected);
-}
-
 TEST(PairedTest, FalseAlarmsAreOneInTwenty) {
   int alarms = 0;
   constexpr int kTrials = 400;
@@ -161,45 +141,6 @@ Sample InScene(int scene, double value, double reference) {
 
 Sample OfBody(int body, const Part& value, const Part& reference = {}) {
   return {"", "a", std::to_string(body), "0", value, reference};
-}
-
-TEST(MiddleRange, CutsTwoAndAHalfPercentOffEachEnd) {
-  std::vector<double> values(101);
-  std::iota(values.rbegin(), values.rend(), 0.0);
-  const auto range = MiddleRange(values);
-  EXPECT_NEAR(range->low, 2.5, 1e-12);
-  EXPECT_NEAR(range->high, 97.5, 1e-12);
-  const auto of_two = MiddleRange({10.0, 20.0});
-  EXPECT_NEAR(of_two->low, 10.25, 1e-12);
-  EXPECT_NEAR(of_two->high, 19.75, 1e-12);
-  const auto of_one = MiddleRange({5.0});
-  EXPECT_EQ(of_one->low, 5.0);
-  EXPECT_EQ(of_one->high, 5.0);
-  EXPECT_FALSE(MiddleRange({}));
-}
-
-TEST(Bootstrap, DrawsAllResamplesFromTwoUnitsOn) {
-  const std::vector<Unit> two = {{{Part{1.0}, Part{2.0}}}, {{Part{3.0}, Part{6.0}}}};
-  const auto means = Bootstrap({two}, Within::kMean);
-  ASSERT_EQ(means.size(), std::size_t{kResamples});
-  int first = 0;
-  for (const auto& [value, reference] : means) {
-    EXPECT_TRUE(value == 1.0 || value == 3.0) << "one of two is drawn";
-    EXPECT_EQ(reference, 2.0 * value);
-    first += value == 1.0 ? 1 : 0;
-  }
-  EXPECT_NEAR(first, 0.5 * kResamples, 150.0);
-  EXPECT_TRUE(Bootstrap({{two[0]}, {two[1]}}, Within::kMean).empty());
-  EXPECT_TRUE(Bootstrap({}, Within::kMean).empty());
-}
-
-// The draws have a fixed seed, so that published intervals are reproducible.
-TEST(Bootstrap, DrawsAreFixed) {
-  std::vector<Unit> units;
-  for (int i = 0; i < 6; ++i) units.push_back({{Part{static_cast<double>(i * i)}, Part{1.0}}});
-  const auto means = Bootstrap({units}, Within::kMean);
-  EXPECT_DOUBLE_EQ(means[0][0], 7.0);
-  EXPECT_DOUBLE_EQ(means[1][0], 5.6);
 }
 
 // Each of three bodies has a count of 2: however they are drawn, the sum of the scene is 6.
@@ -245,18 +186,6 @@ TEST(Difference, MatchesHandComputedValues) {
   EXPECT_FALSE(one->p_value || one->interval);
 }
 
-// Every scene has a quarter more, and so has every draw.
-TEST(Difference, OfAConstantRatioIsTheSameInAllDraws) {
-  std::vector<Sample> pairs;
-  for (int scene = 1; scene <= 7; ++scene) {
-    pairs.push_back(InScene(scene, 0.0125 * scene, 0.01 * scene));
-  }
-  const auto estimate = EstimateDifference(pairs, Within::kMean);
-  EXPECT_NEAR(*estimate->percent, 25.0, 1e-9);
-  EXPECT_NEAR(estimate->percent_interval->low, 25.0, 1e-9);
-  EXPECT_NEAR(estimate->percent_interval->high, 25.0, 1e-9);
-}
-
 TEST(Difference, PercentagesNeedAPositiveBase) {
   const auto no_reference =
       EstimateDifference({InScene(1, 0.5, -0.5), InScene(2, 0.25, 0.5)}, Within::kMean);
@@ -284,6 +213,84 @@ TEST(Difference, StatesTheScenesNeededFromSixScenesOn) {
   EXPECT_EQ(estimate->scenes_for_10_percent, PairsNeeded({{0, 1, 0, 1, 0, 1}}, 0.1));
   for (Sample& pair : pairs) pair.reference = {0.0};
   EXPECT_FALSE(EstimateDifference(pairs, Within::kMean)->scenes_for_10_percent);
+}
+
+// Values of printed tables, two-sided at 5 % and at 1 %.
+TEST(Student, QuantilesMatchTables) {
+  for (const auto& [degrees, at_5, at_1] : {std::tuple(1, 12.706, 63.657),
+                                            {2, 4.303, 9.925},
+                                            {3, 3.182, 5.841},
+                                            {5, 2.571, 4.032},
+                                            {6, 2.447, 3.707},
+                                            {10, 2.228, 3.169},
+                                            {29, 2.045, 2.756},
+                                            {120, 1.980, 2.617}}) {
+    EXPECT_NEAR(StudentQuantile(0.025, degrees), at_5, 6e-4) << degrees;
+    EXPECT_NEAR(StudentQuantile(0.005, degrees), at_1, 6e-4) << degrees;
+  }
+}
+
+TEST(PairedTest, IsStudentsTestOverScenes) {
+  // Mean 2, standard deviation 1, n = 3: t = 2 sqrt(3) with two degrees of freedom, for which p has
+  // a closed form.
+  const double t = 2.0 * std::sqrt(3.0);
+  EXPECT_NEAR(*PairedPValue({{1.0, 2.0, 3.0}}), 1.0 - t / std::sqrt(2.0 + t * t), 1e-12);
+  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(5.0), 1e-12);
+  EXPECT_EQ(*PairedPValue({{-1.0, 1.0}}), 1.0);
+  EXPECT_EQ(*PairedPValue({{0.0, 0.0}}), 1.0);
+  EXPECT_EQ(*PairedPValue({{2.0, 2.0}}), 0.0);
+  EXPECT_FALSE(PairedPValue({{2.0}, {1.0}}));
+  EXPECT_FALSE(PairedPValue({}));
+}
+
+TEST(PairedTest, MatchesHandComputedStrata) {
+  // Two values each, with means 5 and 1 and variances 2 and 8: mean 3 with the variance
+  // (2 / 2 + 8 / 2) / 4 and two degrees of freedom.
+  const double t = 3.0 / std::sqrt(1.25);
+  const double expected = 1.0 - t / std::sqrt(2.0 + t * t);
+  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}, {-1.0, 3.0}}), expected, 1e-12);
+  EXPECT_NEAR(*PairedPValue({{-4.0, -6.0}, {1.0, -3.0}}), expected, 1e-12) << "two-sided";
+  // A stratum of one value contributes to the mean only: (5 + 1) / 2 with variance 1 / 4.
+  EXPECT_NEAR(*PairedPValue({{4.0, 6.0}, {1.0}}), 1.0 - 2.0 / std::numbers::pi * std::atan(6.0),
+              1e-12);
+}
+
+// With the number of scenes from PairsNeeded, the difference is detected four times out of five.
+TEST(PairedTest, HasTheStatedPower) {
+  Rng rng(1, "power");
+  const auto draw = [&rng](std::size_t n, double mean) {
+    Differences differences(1);
+    for (std::size_t i = 0; i < n; ++i) differences[0].push_back(mean + rng.Normal());
+    return differences;
+  };
+  const std::size_t needed = *PairsNeeded(draw(4000, 0.0), 0.5);
+  EXPECT_NEAR(static_cast<double>(needed), 33.4, 2.5) << "of textbooks, for half a deviation";
+  int told = 0;
+  constexpr int kTrials = 500;
+  for (int trial = 0; trial < kTrials; ++trial) told += *PairedPValue(draw(needed, 0.5)) < 0.05;
+  EXPECT_NEAR(told / double{kTrials}, 0.8, 0.06);
+  EXPECT_EQ(*PairsNeeded({{1.0, 1.0}}, 0.1), 2U) << "no spread";
+  EXPECT_FALSE(PairsNeeded({{1.0}}, 0.1));
+}
+
+TEST(PairsNeeded, AccountForStrata) {
+  const double root = std::sqrt(0.5);
+  // One stratum: (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 6 * 1.5^2 and with t_4, 13.8 > 5 * 1.5^2.
+  EXPECT_EQ(PairsNeeded({{-root, root}}, 1.5), 6U);
+  // Two strata take a degree of freedom each: seven pairs leave five, and
+  // (t_5(0.975) + t_5(0.8))^2 = 12.2 <= 7 * 1.5^2.
+  EXPECT_EQ(PairsNeeded({{-root, root}, {-root, root}}, 1.5), 7U);
+  EXPECT_EQ(PairsNeeded({{-root, root}, {7.0}}, 1.5), 7U) << "one alone has no spread";
+  EXPECT_EQ(PairsNeeded({{1.0, 1.0}, {2.0, 2.0}}, 0.1), 3U) << "no spread";
+  EXPECT_EQ(PairsNeeded({{-1.0, 1.0}}, 1e-6), 1'000'000U) << "no more than a million";
+}
+
+TEST(Holm, StepsDownAndStaysInOrder) {
+  EXPECT_THAT(HolmAdjusted({0.01, 0.04, 0.03, 0.005}),
+              testing::Pointwise(testing::DoubleNear(1e-12), {0.03, 0.06, 0.06, 0.02}));
+  EXPECT_THAT(HolmAdjusted({0.5, 0.9}), testing::ElementsAre(1.0, 1.0));
+  EXPECT_THAT(HolmAdjusted({0.25, 0.25}), testing::ElementsAre(0.5, 0.5));
+  EXPECT_TRUE(HolmAdjusted({}).empty());
 }
 
 }  // namespace

@@ -269,11 +269,11 @@ TEST_F(MakeTableTest, TheTruthMayDifferBetweenDatasetsOnly) {
   for (Json& metric : odometry["metrics"]) metric["contract"]["truth"] = "official";
   suite_.Add(odometry);
   EXPECT_EQ(Make().rows[1].truth.truth, TruthSource::kOfficial);
-  Json interpolated = Result("2011_09_26_drive_0013");
-  for (Json& metric : interpolated["metrics"]) metric["contract"]["truth"] = "interpolated";
-  suite_.Add(interpolated);
+  Json official = Result("2011_09_26_drive_0013");
+  for (Json& metric : official["metrics"]) metric["contract"]["truth"] = "official";
+  suite_.Add(official);
   EXPECT_THAT(MakeError(), AllOf(HasSubstr("job0/result.json with truth \"devkit\""),
-                                 HasSubstr("job2/result.json with truth \"interpolated\"")));
+                                 HasSubstr("job2/result.json with truth \"official\"")));
 }
 
 TEST_F(MakeTableTest, ContractsOverAllFramesOfTheirRunAreEqual) {

@@ -10,11 +10,8 @@
 namespace cvo::reports {
 namespace {
 
-using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::Not;
 using testing::SizeIs;
 
 Measured With(double value, double low, double high) { return {value, Interval{low, high, ""}}; }
@@ -62,19 +59,6 @@ TEST(Digits, OfDifferencesFollowThoseOfTheValues) {
   EXPECT_EQ(cell.interval, "0.0000..0.0000");
   EXPECT_EQ(cell.percent, "+0.0%");
   EXPECT_EQ(cell.percent_interval, "0..15%");
-}
-
-// The sign is that of the row's value minus the reference value, for errors and for shares.
-TEST(TableTexts, PercentIsRelativeToTheReference) {
-  Table table = test::HostileTable();
-  Difference& difference = *table.rows[1].cells[3].difference;
-  const auto shown = [&](double value, double reference) {
-    difference.difference = value - reference;
-    difference.percent = 100.0 * (value - reference) / reference;
-    return MakeTexts(table).blocks[1].lines[0].cells[3].percent;
-  };
-  EXPECT_EQ(shown(0.4786, 0.1), "+378.6%");
-  EXPECT_EQ(shown(0.6, 1.0), "-40.0%");
 }
 
 TEST(Digits, ZeroHasNoSign) {
@@ -132,55 +116,6 @@ TEST(TableTexts, DifferencesHaveSeparateLines) {
   EXPECT_EQ(cell.n, "11 pairs");
   EXPECT_TRUE(cell.distinguishable);
   EXPECT_EQ(block.lines[0].cells[0], CellText{});
-}
-
-TEST(BestCells, OnlyComparableReferenceFiguresCompete) {
-  const std::vector<TextLine> lines = MakeTexts(test::HostileTable()).blocks[0].lines;
-  EXPECT_TRUE(lines[3].cells[1].best) << "0.01 m of others under our contract";
-  EXPECT_FALSE(lines[0].cells[1].best);
-  EXPECT_FALSE(lines[2].cells[1].best) << "the smallest number, but of something else";
-  EXPECT_FALSE(lines[7].cells[1].best) << "the smallest of others, by another contract";
-  EXPECT_TRUE(lines[0].cells[2].best) << "more coverage is better";
-  EXPECT_TRUE(lines[0].cells[3].best);
-  EXPECT_FALSE(lines[9].cells[3].best);
-  EXPECT_FALSE(lines[0].cells[0].best) << "all the same";
-  EXPECT_FALSE(lines[0].cells[4].best) << "the only one";
-}
-
-TEST(BestCells, NeedTheSameScenesAndTheSameData) {
-  Table table = test::HostileTable();
-  table.rows[1].runs[1].sequence = "another";
-  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "means over other scenes";
-  table = test::HostileTable();
-  table.rows[1].keys[0] = "another";
-  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "a row of another sequence";
-  table = test::HostileTable();
-  table.columns[3].metric = "unheard_of";
-  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[0].cells[3].best) << "no direction is known";
-}
-
-TEST(BestCells, RequireCoverage) {
-  Table table = test::HostileTable();
-  table.rows[1].cells[4] = test::CellOf(1.0, 0.0, 2.0);
-  EXPECT_TRUE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
-  table.rows[1].cells[2] = test::CellOf(0.0, 0.0, 0.0);
-  EXPECT_FALSE(MakeTexts(table).blocks[0].lines[1].cells[4].best);
-}
-
-TEST(BestCells, TiesAsPrintedAreAllBest) {
-  Table table = test::HostileTable();
-  table.rows[2].cells[3] = test::CellOf(0.05762, 0.034, 0.085);
-  const std::vector<TextLine> lines = MakeTexts(table).blocks[0].lines;
-  EXPECT_TRUE(lines[0].cells[3].best && lines[2].cells[3].best);
-  EXPECT_FALSE(lines[1].cells[3].best);
-}
-
-TEST(Footnotes, StateCounts) {
-  EXPECT_THAT(MakeTexts(test::HostileTable()).footnotes,
-              AllOf(Contains("n, camera coverage, camera ATE, object coverage, id switches: "
-                             "1 scene, 2 seeds, 2 runs"),
-                    Contains("n, object ATE: 1 scene, 2 seeds, 2 runs or 11 bodies, 1 scene, "
-                             "2 seeds, 2 runs")));
 }
 
 TEST(Footnotes, DistinguishColumnsWithEqualLabelsByUnit) {

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace cvo::average_precision_test {
 namespace {
@@ -244,37 +243,6 @@ TEST(BoxOverlap, HeightExtendsUpwardsFromTheBottom) {
   const ObjectBox taller = Solid(0, 0, 10, 0.7, 4.0, 2.0, 3.0);
   EXPECT_NEAR(IntersectionOverUnion(BoxSpace::kVolume, a, taller), 0.5, 1e-12);
   EXPECT_EQ(IntersectionOverUnion(BoxSpace::kVolume, a, Solid(0, -1.5, 10, 0.7)), 0.0);
-}
-
-// Compares with random points: those in both boxes, divided by those in either.
-TEST(BoxOverlap, MatchesSampling) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const auto inside = [](const ObjectBox& box, double x, double z) {
-    const double dx = x - box.box3d->bottom_in_camera.x();
-    const double dz = z - box.box3d->bottom_in_camera.z();
-    const double c = std::cos(box.box3d->heading_rad);
-    const double s = std::sin(box.box3d->heading_rad);
-    return std::abs(c * dx - s * dz) < 0.5 * box.box3d->length_m &&
-           std::abs(s * dx + c * dz) < 0.5 * box.box3d->width_m;
-  };
-  for (int trial = 0; trial < 20; ++trial) {
-    const ObjectBox a = Solid(uniform(random), 0, uniform(random), 4.0 * uniform(random));
-    const ObjectBox b = Solid(uniform(random), 0, uniform(random), 4.0 * uniform(random));
-    int both = 0;
-    int any = 0;
-    for (int i = 0; i < 40'000; ++i) {
-      const double x = 4.0 * uniform(random);
-      const double z = 4.0 * uniform(random);
-      const bool in_a = inside(a, x, z);
-      const bool in_b = inside(b, x, z);
-      both += in_a && in_b;
-      any += in_a || in_b;
-    }
-    const double overlap = IntersectionOverUnion(BoxSpace::kBirdsEye, a, b);
-    EXPECT_NEAR(overlap, static_cast<double>(both) / any, 0.02);
-    EXPECT_NEAR(overlap, IntersectionOverUnion(BoxSpace::kBirdsEye, b, a), 1e-12);
-  }
 }
 
 }  // namespace

@@ -4,24 +4,12 @@
 
 #include <cmath>
 #include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "synth/render/renderer.h"
 #include "tests/synth/worlds.h"
 
 namespace cvo::synth {
 namespace {
-
-StereoCamera IndoorRig() {
-  StereoCamera rig;
-  rig.fx = rig.fy = 450.0;
-  rig.cx = 319.5;
-  rig.cy = 239.5;
-  rig.baseline_m = 0.12;
-  rig.width_px = 640;
-  rig.height_px = 480;
-  return rig;
-}
 
 StereoCamera StreetRig() {
   StereoCamera rig;
@@ -32,54 +20,6 @@ StereoCamera StreetRig() {
   rig.width_px = 1242;
   rig.height_px = 375;
   return rig;
-}
-
-// Returns the offsets, in pixels, of the corners found in the images from their projections.
-std::vector<cv::Point2d> CornerErrors(const StereoCamera& rig) {
-  const CalibrationTarget target = MakeCalibrationTarget(rig);
-  Renderer renderer(target.world, 2);
-  std::vector<cv::Point2d> errors;
-  for (const View& view : target.views) {
-    const Rendering rendering = renderer.Draw(view);
-    const RigidTransform left_from_board = view.world_from_left.Inverse();
-    for (const bool right : {false, true}) {
-      const cv::Mat image = LumaOf(right ? rendering.right : rendering.left);
-      for (const Eigen::Vector3d& corner : target.corners_m) {
-        const Eigen::Vector3d z = rig.Project(left_from_board * corner).value();
-        const cv::Point2d expected(right ? z[2] : z[0], z[1]);
-        const cv::Rect2d inside(10.0, 10.0, rig.width_px - 21.0, rig.height_px - 21.0);
-        EXPECT_TRUE(inside.contains(expected)) << expected;
-        std::vector<cv::Point2f> found = {expected};
-        cv::cornerSubPix(image, found, {kCornerWindow_px, kCornerWindow_px}, {-1, -1},
-                         {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 50, 1e-4});
-        errors.push_back(cv::Point2d(found[0]) - expected);
-      }
-    }
-  }
-  return errors;
-}
-
-void ExpectExact(const StereoCamera& rig) {
-  cv::Point2d sum;
-  double worst = 0.0;
-  const std::vector<cv::Point2d> errors = CornerErrors(rig);
-  for (const cv::Point2d& error : errors) {
-    sum += error;
-    worst = std::max(worst, cv::norm(error));
-  }
-  EXPECT_GT(worst, 0.0);  // cornerSubPix returns the initial guess if it fails
-  EXPECT_LT(worst, 0.05);
-  EXPECT_LT(cv::norm(sum) / static_cast<double>(errors.size()), 0.003);
-}
-
-TEST(CalibrationTarget, CornersAreAtTheirProjectionsIndoors) { ExpectExact(IndoorRig()); }
-
-TEST(CalibrationTarget, CornersAreAtTheirProjectionsInTheStreet) { ExpectExact(StreetRig()); }
-
-TEST(CalibrationTarget, ShiftOfTheRightImageIsDrawn) {
-  StereoCamera rig = IndoorRig();
-  rig.right_shift_px = 0.7;
-  ExpectExact(rig);
 }
 
 // Returns the column and row at which the right camera, with its error, sees a point that is given
