@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // clustervo eval boxes: scores boxes in KITTI's file formats as KITTI's benchmarks do.
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
 #include "experiments/metrics/boxes/average_precision.h"
+#include "experiments/metrics/boxes/tracking_scores.h"
 
 namespace cvo {
 namespace {
@@ -19,6 +21,7 @@ struct BoxFlags {
   std::string labels;
   std::string estimate;
   std::string frames;  // "A:B"; empty: all
+  std::string score = "ap";
   std::string category = "Car";
   std::optional<double> least_overlap;  // default: the benchmark's for the class
   std::string truncation = "applied";
@@ -34,6 +37,22 @@ struct ApOfSpace {
   static void VisitFields(Self& self, Archive& archive) {
     archive.Field("contract", self.contract);
     archive.Field("levels", self.levels);
+  }
+};
+
+// The overlap is used as the similarity.
+struct TrackingOfSpace {
+  BoxSpace overlap = BoxSpace::kImage;
+  HotaScores hota;
+  ClearScores clear;
+  IdentityScores identity;
+
+  template <typename Self, typename Archive>
+  static void VisitFields(Self& self, Archive& archive) {
+    archive.Field("overlap", self.overlap);
+    archive.Field("hota", self.hota);
+    archive.Field("clear", self.clear);
+    archive.Field("identity", self.identity);
   }
 };
 
@@ -62,6 +81,18 @@ std::vector<ApOfSpace> AveragePrecisions(const BoxFlags& flags,
   return all;
 }
 
+std::vector<TrackingOfSpace> TrackingScores(const BoxFlags& flags,
+                                            const std::vector<ApFrame>& frames) {
+  std::vector<TrackingOfSpace> all;
+  for (const BoxSpace space : SpacesOf(frames)) {
+    if (space == BoxSpace::kBirdsEye) continue;
+    const TrackedSequence sequence = CountedBoxes(frames, flags.category, space);
+    all.push_back(
+        {space, EvaluateHota(sequence), EvaluateClear(sequence), EvaluateIdentities(sequence)});
+  }
+  return all;
+}
+
 std::string Percent(double fraction) { return FormatFixed(100.0 * fraction, 2); }
 
 void Print(const std::vector<ApOfSpace>& all, std::ostream& out) {
@@ -86,34 +117,63 @@ void Print(const std::vector<ApOfSpace>& all, std::ostream& out) {
   table.Print(out);
 }
 
+void Print(const std::vector<TrackingOfSpace>& all, std::ostream& out) {
+  out << "matches: intersection over union of at least 0.5 (HOTA, DetA, AssA, LocA: averaged over "
+         "thresholds); the image boxes decide which labels and detections count\n\n";
+  TextTable table({"percent", "HOTA", "DetA", "AssA", "LocA", "MOTA", "MOTP", "IDF1", "switches",
+                   "fragments", "missed", "false"});
+  for (const TrackingOfSpace& space : all) {
+    table.Add({NameOf(space.overlap), Percent(space.hota.hota), Percent(space.hota.det_a),
+               Percent(space.hota.ass_a), Percent(space.hota.loc_a), Percent(space.clear.mota),
+               Percent(space.clear.motp), Percent(space.identity.idf1),
+               std::to_string(space.clear.switches), std::to_string(space.clear.fragments),
+               std::to_string(space.clear.missed), std::to_string(space.clear.false_boxes)});
+  }
+  table.Print(out);
+}
+
 std::size_t CountDetections(const std::vector<ApFrame>& frames) {
   std::size_t count = 0;
   for (const ApFrame& frame : frames) count += frame.detections.size();
   return count;
 }
 
-int EvaluateBoxes(const BoxFlags& flags) {
-  const FrameRange range = flags.frames.empty() ? FrameRange() : ParseFrameRange(flags.frames);
-  const std::vector<ApFrame> frames = ReadApFrames(flags.labels, flags.estimate, range);
-  const std::vector<ApOfSpace> scores = AveragePrecisions(flags, frames);
-  if (flags.json) {
+template <typename Scores>
+void Print(const char* kind, const char* key, const std::vector<ApFrame>& frames,
+           const std::vector<Scores>& scores, bool json) {
+  if (json) {
     std::cout << DumpJson({{"schema_version", 1},
-                           {"kind", "average precision"},
+                           {"kind", kind},
                            {"frames", frames.size()},
                            {"detections", CountDetections(frames)},
-                           {"average_precision", ToJson(scores)}});
-    return 0;
+                           {key, ToJson(scores)}});
+    return;
   }
   std::cout << frames.size() << " frames, " << CountDetections(frames)
             << " detections of all classes\n";
   Print(scores, std::cout);
+}
+
+int EvaluateBoxes(const BoxFlags& flags) {
+  const FrameRange range = flags.frames.empty() ? FrameRange() : ParseFrameRange(flags.frames);
+  const std::vector<ApFrame> frames = ReadApFrames(flags.labels, flags.estimate, range);
+  if (flags.score == "ap") {
+    Print("average precision", "average_precision", frames, AveragePrecisions(flags, frames),
+          flags.json);
+    return 0;
+  }
+  if (std::filesystem::is_directory(flags.labels)) {
+    ThrowError(flags.labels, "a folder", "a file of KITTI tracking: object files have no tracks");
+  }
+  Print("tracking scores", "tracking", frames, TrackingScores(flags, frames), flags.json);
   return 0;
 }
 
 }  // namespace
 
 Command AddEvalBoxesCommand(CLI::App& eval) {
-  CLI::App* app = eval.add_subcommand("boxes", "Score boxes by KITTI's average precision");
+  CLI::App* app = eval.add_subcommand(
+      "boxes", "Score boxes by KITTI's average precision, or tracks by HOTA, CLEAR and IDF1");
   const auto flags = std::make_shared<BoxFlags>();
   const FlagAdder add{*app};
   add("--labels", flags->labels, "FILE|FOLDER",
@@ -121,17 +181,21 @@ Command AddEvalBoxesCommand(CLI::App& eval) {
       ->required();
   add("--estimate", flags->estimate, "FILE|FOLDER", "boxes to score, of the same kind")->required();
   add("--frames", flags->frames, "A:B", "score frames A to B-1");
+  add("--score", flags->score, "NAME",
+      "ap (average precision), or tracking (HOTA, CLEAR and IDF1, as TrackEval does on KITTI)")
+      ->check(OneOf({"ap", "tracking"}))
+      ->capture_default_str();
   add("--class", flags->category, "NAME",
       "class to score; as in the benchmark, Van (for Car) and Person_sitting (for Pedestrian) "
       "count neither for nor against")
       ->check(OneOf({"Car", "Pedestrian", "Cyclist"}))
       ->capture_default_str();
   add("--iou", flags->least_overlap, "NUMBER",
-      "a match needs a larger intersection over union than this; default: 0.7 for Car, "
+      "ap: a match needs a larger intersection over union than this; default: 0.7 for Car, "
       "otherwise 0.5, as in the benchmark")
       ->check(Within(0.0, 1.0));
   add("--truncation", flags->truncation, "RULE",
-      "applied (labels truncated beyond a level's limit are ignored at that level; in "
+      "ap: applied (labels truncated beyond a level's limit are ignored at that level; in "
       "tracking files that is every label with truncation 1 or 2) or ignored (no limit)")
       ->check(OneOf({"applied", "ignored"}))
       ->capture_default_str();
@@ -139,6 +203,10 @@ Command AddEvalBoxesCommand(CLI::App& eval) {
   app->footer(
       "Example:\n"
       "  clustervo eval boxes --labels label_02/0003.txt --estimate tracks.kitti --iou 0.25");
+  app->final_callback([app, flags] {
+    if (flags->score == "ap") return;
+    RefuseFlags(*app, {"--iou", "--truncation"}, "applies to --score ap");
+  });
   return {app, [flags] { return EvaluateBoxes(*flags); }};
 }
 

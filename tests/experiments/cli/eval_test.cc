@@ -149,14 +149,24 @@ TEST_F(EvalSequence, ScoresBoxes) {
   EXPECT_EQ(json["kind"], "average precision");
   EXPECT_EQ(json["average_precision"][1]["contract"]["least_overlap"], 0.25);
   EXPECT_EQ(json["average_precision"][1]["levels"][0]["ap11"], 1.0 / 11.0);
+  const Json tracking =
+      ParseJson(run({"--score", "tracking", "--json"}).out, "eval boxes")["tracking"];
+  EXPECT_EQ(tracking.size(), 2U);
+  EXPECT_EQ(tracking[1]["overlap"], "3d");
+  EXPECT_EQ(tracking[1]["clear"]["mota"], 1.0);
   for (const Arguments& wrong : {Arguments{"--iou", "1.5"},
                                  {"--class", "Tram"},
                                  {"--sequence", tiny()},
-                                 {"--frames", "4:"}}) {
+                                 {"--frames", "4:"},
+                                 {"--score", "hota"}}) {
     ExpectError(run(wrong), wrong[0], 2);
   }
+  ExpectError(run({"--score", "tracking", "--iou", "0.5"}), "--iou", 2);
   ExpectError(RunProgram({"eval", "boxes", "--estimate", rows}), "--labels", 2);
   ExpectError(Evaluate({poses(), "--iou", "0.5"}), "--iou", 2);
+  ExpectError(RunProgram({"eval", "boxes", "--score", "tracking", "--labels", Path("tiny"),
+                          "--estimate", Path("tiny")}),
+              "");
 }
 
 // The trajectory of a camera that rotates back and forth, with 10 poses per second and a clock that
