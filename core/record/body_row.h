@@ -66,6 +66,8 @@ struct BodyRow {
   int estimated_frames = 0;  // of the visible frames
   int id_switches = 0;
   int fragments = 0;
+  int joins = 0;  // times its cluster returns after a gap
+  int wrong_joins = 0;
   std::optional<double> ate_m;
   std::optional<double> predicted_ate_m;
   std::optional<double> velocity_m_s;
@@ -84,8 +86,9 @@ struct BodyRow {
   CVO_RECORD(CVO_FIELD(id, name, category, mover, travel_m, cluster, visible_frames,
                        estimated_frames, id_switches, fragments, ate_m, predicted_ate_m,
                        velocity_m_s, all_pairs_rad, all_pairs_m, one_frame_rad, one_frame_m,
-                       motion_rad, motion_m) CVO_ADDED(ate_in_camera_m, motion_in_camera_m)
-                 CVO_OPTIONAL(max_drift) CVO_FIELD(errors, predicted));
+                       motion_rad, motion_m)
+                 CVO_ADDED(joins, wrong_joins, ate_in_camera_m, motion_in_camera_m)
+                     CVO_OPTIONAL(max_drift) CVO_FIELD(errors, predicted));
 };
 
 }  // namespace cvo::reports

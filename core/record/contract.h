@@ -170,6 +170,8 @@ enum class Aggregation {
   kMeanOverBodies,
   kSwitches,
   kFragments,
+  kJoins,
+  kWrongJoins,
   kMissedBodies,
   kExtraClusters,
   kMovingOfReported,
@@ -205,6 +207,9 @@ constexpr std::array<const char*, 30> EnumNames(Aggregation) {
       "root mean square per body, mean over bodies",
       "number of times a body's cluster is another than the last one",
       "number of times a body has a cluster again after visible frames without one",
+      "number of times the cluster matched to a body returns after more than 2 frames",
+      "number of times the centre of the body is more than 0.1 m elsewhere in the frame of its "
+      "cluster after than before more than 2 frames without it",
       "number of bodies matched to no cluster",
       "number of clusters matched to no body",
       "fraction that is moving of those in a cluster other than the static scene, all frames "

@@ -47,6 +47,8 @@ enum class MetricId {
   kObjectMaxDriftEnd = kObjectMaxDrift + 11,
   kObjectIdSwitches,
   kObjectFragments,
+  kObjectJoins,
+  kObjectWrongJoins,
   kObjectUnmatched,
   kObjectUnmatchedClusters,
   kMovingPrecision,

@@ -37,7 +37,9 @@ void CheckBodies(const std::vector<BodyRow>& bodies, const std::string& where) {
     CheckCounts({{"visible_frames", body.visible_frames},
                  {"estimated_frames", body.estimated_frames},
                  {"id_switches", body.id_switches},
-                 {"fragments", body.fragments}},
+                 {"fragments", body.fragments},
+                 {"joins", body.joins},
+                 {"wrong_joins", body.wrong_joins}},
                 where);
     if (body.estimated_frames > body.visible_frames) {
       ThrowError(where + ", field estimated_frames", StrCat(body.estimated_frames),

@@ -161,15 +161,21 @@ void AddErrors(const ObjectTruth& truth, const Group& group, std::vector<Metric>
 void AddCounts(const Group& group, std::vector<Metric>& metrics) {
   std::int64_t switches = 0;
   std::int64_t fragments = 0;
+  std::int64_t joins = 0;
+  std::int64_t wrong_joins = 0;
   std::int64_t unmatched = 0;
   for (const BodyScore* body : group.bodies) {
     switches += body->id_switches;
     fragments += body->fragments;
+    joins += body->joins;
+    wrong_joins += body->wrong_joins;
     unmatched += body->cluster == -1 ? 1 : 0;
   }
   const auto n = static_cast<std::int64_t>(group.bodies.size());
   metrics.push_back(group.Whole(kObjectIdSwitches, static_cast<double>(switches), n));
   metrics.push_back(group.Whole(kObjectFragments, static_cast<double>(fragments), n));
+  metrics.push_back(group.Whole(kObjectJoins, static_cast<double>(joins), n));
+  metrics.push_back(group.Whole(kObjectWrongJoins, static_cast<double>(wrong_joins), n));
   metrics.push_back(group.Whole(kObjectUnmatched, static_cast<double>(unmatched), n));
 }
 

@@ -124,6 +124,7 @@ void ScorePoses(const ObjectTruth& truth, const ObjectEstimate& estimate, const 
   score.max_drift =
       MeasureMaxDrift(poses.counted, worlds.by_first_pose * worlds.by_camera.Inverse());
   ScoreAsSeen(AsSeen(truth, estimate, worlds.by_camera, poses.counted), score);
+  CountJoins(poses.counted, score);
   const RigidTransform object_from_gtobject = AlignObject(poses.counted);
   ApplyObject(object_from_gtobject, poses.counted);
   ApplyObject(object_from_gtobject, poses.predicted);
@@ -136,6 +137,33 @@ void ScorePoses(const ObjectTruth& truth, const ObjectEstimate& estimate, const 
   SetRelative(MotionErrors(poses.counted), score.motion_rad, score.motion_m);
   score.velocity_m_s = VelocityError(truth, body, poses.counted_frames,
                                      object_from_gtobject.Inverse(), worlds.by_camera);
+}
+
+constexpr int kJoinGap = 2;           // frames; longer gaps are losses
+constexpr double kWrongJoin_m = 0.1;  // as far off as no success
+
+// Counts how often the cluster returns after a gap, and how often the body's centre is then
+// elsewhere in the cluster's frame. `poses` are those before AlignObject.
+void CountJoins(const CommonPoses& poses, BodyScore& score) {
+  Eigen::Vector3d former = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (std::size_t i = 0; i <= poses.size(); ++i) {
+    const bool ends = i == poses.size();
+    if (ends || (i > 0 && poses.frames[i] - poses.frames[i - 1] > kJoinGap)) {
+      const Eigen::Vector3d mean = sum / count;
+      if (count < static_cast<int>(i)) {
+        ++score.joins;
+        if ((mean - former).norm() > kWrongJoin_m) ++score.wrong_joins;
+      }
+      former = mean;
+      sum.setZero();
+      count = 0;
+    }
+    if (ends) return;
+    sum += poses.estimate[i].Inverse() * poses.truth[i].translation();
+    ++count;
+  }
 }
 
 BodyScore DescribeBody(const TruthBody& body, const Continuity& continuity) {

@@ -28,8 +28,9 @@ TEST(ObjectMetrics, AreZeroForTheTruthInAnyWorldAndAnyClusterFrame) {
     for (const char* name : {"object_coverage", "object_success_5cm", "object_success_20cm"}) {
       EXPECT_EQ(Value(metrics, name), 1.0) << name;
     }
-    for (const char* name : {"object_id_switches", "object_fragments", "object_unmatched",
-                             "object_unmatched_clusters"}) {
+    for (const char* name :
+         {"object_id_switches", "object_fragments", "object_joins", "object_joins_wrong",
+          "object_unmatched", "object_unmatched_clusters"}) {
       EXPECT_EQ(Value(metrics, name), 0.0) << name;
     }
   }
@@ -48,6 +49,23 @@ TEST(ObjectMetrics, DoNotDependOnTheWorldNorOnTheClusterFrame) {
     for (std::size_t i = 0; i < a.size(); ++i) {
       EXPECT_NEAR(a[i].value, b[i].value, 1e-9) << a[i].name;
     }
+  }
+}
+
+TEST(ObjectMetrics, JoinsAreWrongWhereTheBodyIsElsewhereInItsCluster) {
+  const ObjectTruth truth = RandomTruth(1, 20);
+  for (const double off_m : {0.0, 0.09, 0.11}) {
+    ObjectEstimate estimate = PerfectEstimate(truth);
+    std::vector<ClusterFrame>& frames = estimate.clusters.front().frames;
+    ASSERT_EQ(frames.size(), 20u);
+    for (std::size_t i = 9; i < 20; ++i) {
+      frames[i].world_from_object =
+          frames[i].world_from_object * Pose({0.0, 0.0, 0.0}, {0.0, off_m, 0.0});
+    }
+    std::erase_if(frames, [](const ClusterFrame& f) { return f.frame == 2 || f.frame / 2 == 4; });
+    const auto metrics = Evaluate(truth, estimate);
+    EXPECT_EQ(Value(metrics, "object_joins"), 1.0) << "frame 2 alone is no gap";
+    EXPECT_EQ(Value(metrics, "object_joins_wrong"), off_m > 0.1 ? 1.0 : 0.0);
   }
 }
 
