@@ -13,8 +13,6 @@ namespace cvo {
 
 // Number of hexadecimal digits of a SHA-256.
 inline constexpr std::size_t kHashBytes = 64;
-// Suffix of the file that holds the SHA-256 of the file beside it, in the format of sha256sum.
-inline constexpr const char* kChecksumSuffix = ".sha256";
 
 // SHA-256 of all bytes added, as 64 lower-case hexadecimal digits.
 class Sha256 {

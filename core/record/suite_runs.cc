@@ -122,7 +122,7 @@ std::vector<SuiteRun> ReadRuns(const fs::path& folder, const SuitePlan& plan,
     const fs::path failure = folder / "failed" / (planned.job + ".json");
     if (planned.job.empty()) {
       run.message = planned.missing;
-      if (!IsPending(planned.missing)) run.state = "no data";
+      if (planned.missing != kNotRendered) run.state = "no data";
     } else if (fs::exists(result)) {
       ReadResult(result, metrics, run);
     } else if (fs::exists(failure)) {

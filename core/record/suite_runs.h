@@ -35,12 +35,8 @@ struct PlanTable {
   CVO_RECORD(CVO_FIELD(rows, metrics) CVO_ADDED(reference));
 };
 
-// Values of PlanJob::missing for input that only has to be made first.
+// Value of PlanJob::missing for a scene that only has to be rendered first.
 inline constexpr char kNotRendered[] = "not rendered yet";
-inline constexpr char kNotDetected[] = "boxes not found yet";
-inline bool IsPending(const std::string& missing) {
-  return missing == kNotRendered || missing == kNotDetected;
-}
 
 // One planned run.
 struct PlanJob {
@@ -60,7 +56,6 @@ struct PlanJob {
   std::string content;      // hash of the sequence; empty: not stated
   std::string input;        // what the front end reads and how
   std::string job;          // empty where the sequence is missing
-  std::string boxes;        // file written by a detector; empty: none
   std::uint64_t entry = 0;  // index of the sequence in the definition
 
   // Returns the variant that its result states.
@@ -75,7 +70,7 @@ struct PlanJob {
     CVO_FIELD(variant)
     CVO_ADDED(system)
     CVO_FIELD(seed)
-    CVO_ADDED(oracle, parameters, landmarks, folder, missing, frames, content, input, job, boxes)
+    CVO_ADDED(oracle, parameters, landmarks, folder, missing, frames, content, input, job)
     CVO_ADDED(entry)
     if constexpr (Archive::kReads) self.Check(archive.where());
   }

@@ -151,31 +151,29 @@ std::string FrameRateText(double frames_per_s) {
 }
 
 Progress::Progress(bool quiet, std::string unit)
-    : unit_(std::move(unit)),
-      style_(quiet                     ? Style::kNone
-             : ::isatty(STDERR_FILENO) ? Style::kBar
-                                       : Style::kLines) {}
+    : unit_(std::move(unit)), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() { Erase(); }
-
-void Progress::Erase() const {
-  if (style_ == Style::kBar) std::fputs("\r\033[K", stderr);
+Progress::~Progress() {
+  if (terminal_ && !quiet_) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::Report(std::size_t done, std::size_t total, const std::string& stage) {
+  if (quiet_) return;
   if (stage != stage_) {
     stage_ = stage;
     start_ = Clock::now();
     shown_tenths_ = 0;
-    if (style_ != Style::kNone) Note(stage);
+    Note(stage);
   }
-  if (style_ == Style::kBar) PrintBar(done, total);
-  if (style_ == Style::kLines) PrintLine(done, total);
+  const std::size_t tenths = 10 * done / total;
+  if (!terminal_ && tenths == shown_tenths_) return;
+  shown_tenths_ = tenths;
+  std::fprintf(stderr, terminal_ ? "\r%3zu %%  %s\033[K" : "%3zu %%  %s\n", 100 * done / total,
+               Text(done, total).c_str());
 }
 
 void Progress::Note(const std::string& line) const {
-  Erase();
-  std::fprintf(stderr, "%s\n", Printable(line).c_str());
+  std::fprintf(stderr, "%s%s\n", terminal_ ? "\r\033[K" : "", Printable(line).c_str());
 }
 
 std::function<void(std::size_t, std::size_t)> Progress::Reporter() {
@@ -191,24 +189,6 @@ std::string Progress::Text(std::size_t done, std::size_t total) const {
   return StrCat(counts, "  ", FormatFixed(slow ? 60.0 * rate : rate, 1), " ", unit_,
                 slow ? "/min  " : "/s  ", DurationText(static_cast<double>(total - done) / rate),
                 " left");
-}
-
-void Progress::PrintBar(std::size_t done, std::size_t total) {
-  const Clock::time_point now = Clock::now();
-  if (now - shown_ < std::chrono::milliseconds(100) && done > 0 && done < total) return;
-  shown_ = now;
-  constexpr std::size_t kWidth = 30;
-  const std::size_t filled = kWidth * done / total;
-  const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
-  std::fprintf(stderr, "\r[%s] %s\033[K", bar.c_str(), Text(done, total).c_str());
-  std::fflush(stderr);
-}
-
-void Progress::PrintLine(std::size_t done, std::size_t total) {
-  const std::size_t tenths = 10 * done / total;
-  if (tenths == shown_tenths_) return;
-  shown_tenths_ = tenths;
-  std::fprintf(stderr, "%3zu %%  %s\n", 100 * done / total, Text(done, total).c_str());
 }
 
 std::string DurationText(double seconds) {

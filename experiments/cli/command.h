@@ -42,7 +42,6 @@ Command AddReportCommand(CLI::App& program);
 Command AddOverlayCommand(CLI::App& program);
 Command AddPlotCommand(CLI::App& program);
 Command AddExplainCommand(CLI::App& program);
-Command AddImportCommand(CLI::App& program);
 Command AddInfoCommand(CLI::App& program);
 Command AddListCommand(CLI::App& program);
 
@@ -143,38 +142,34 @@ std::string FrameRateText(double frames_per_s);
 // "48 s", "3:07 min", "2:05 h".
 std::string DurationText(double seconds);
 
-// Shows progress on stderr: on a terminal, a bar with the rate and the time left; otherwise a line
-// after every tenth of the work. Nothing is shown before the first report.
+// Shows progress on stderr, with the rate and the time left: on a terminal in one line that is
+// rewritten, otherwise in a line after every tenth of the work.
 class Progress {
  public:
   // `unit`: what is counted.
   explicit Progress(bool quiet, std::string unit = "frames");
-  ~Progress();  // erases the bar
+  ~Progress();  // erases the line on a terminal
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  // With another `stage` than before, prints its name and starts a new bar.
+  // With another `stage` than before, prints its name and starts anew.
   void Report(std::size_t done, std::size_t total, const std::string& stage = "");
-  // Prints one line, even if quiet. The bar reappears with the next report.
+  // Prints one line, even if quiet.
   void Note(const std::string& line) const;
   // Report, for as long as this object exists.
   std::function<void(std::size_t, std::size_t)> Reporter();
 
  private:
   using Clock = std::chrono::steady_clock;
-  enum class Style { kNone, kBar, kLines };
 
-  void Erase() const;
-  void PrintBar(std::size_t done, std::size_t total);
-  void PrintLine(std::size_t done, std::size_t total);
   // "3/8 jobs  2.0 jobs/s  2:30 min left"; slow rates are per minute.
   std::string Text(std::size_t done, std::size_t total) const;
 
   std::string unit_;
-  Style style_;
+  bool quiet_;
+  bool terminal_;
   std::string stage_;
   Clock::time_point start_ = Clock::now();  // of the stage
-  Clock::time_point shown_ = start_;
   std::size_t shown_tenths_ = 0;
 };
 

@@ -20,32 +20,13 @@
 namespace cvo {
 namespace {
 
-// Prints a list of objects with the same keys as JSON, or as a table.
-int PrintList(const Json& list, bool json) {
-  if (json) {
-    std::cout << DumpJson(list);
-    return 0;
-  }
-  std::vector<std::string> header;
-  for (const auto& [key, value] : list.front().items()) header.push_back(key);
-  TextTable table(header);
-  for (const Json& entry : list) {
-    std::vector<std::string> row;
-    for (const auto& [key, value] : entry.items()) {
-      row.push_back(value.is_string() ? value.get<std::string>() : value.dump());
-    }
-    table.Add(std::move(row));
+int ListVariants() {
+  TextTable table({"name", "changes"});
+  for (const VariantInfo& variant : Variants()) {
+    table.Add({std::string(variant.name), std::string(variant.changes)});
   }
   table.Print(std::cout);
   return 0;
-}
-
-int ListVariants(bool json) {
-  Json list = Json::array();
-  for (const VariantInfo& variant : Variants()) {
-    list.push_back({{"name", variant.name}, {"changes", variant.changes}});
-  }
-  return PrintList(list, json);
 }
 
 std::string Range(const OptionLeaf& leaf) {
@@ -59,25 +40,9 @@ std::string DefaultText(const OptionLeaf& leaf) {
   return text;
 }
 
-Json LeafToJson(const OptionLeaf& leaf) {
-  return {{"path", leaf.path},
-          {"type", TypeName(leaf)},
-          {"unit", leaf.info.unit},
-          {"min", leaf.info.min},
-          {"max", leaf.info.max},
-          {"default", ValueToJson(leaf)},
-          {"meaning", leaf.info.meaning},
-          {"source", leaf.info.source}};
-}
-
-int ListOptions(bool json) {
+int ListOptions() {
   Options options;
   const std::vector<OptionLeaf> leaves = OptionLeaves(options);
-  if (json) {
-    Json list = Json::array();
-    for (const OptionLeaf& leaf : leaves) list.push_back(LeafToJson(leaf));
-    return PrintList(list, json);
-  }
   TextTable table({"option", "default", "unit", "range"});
   for (const OptionLeaf& leaf : leaves) {
     table.Add({leaf.path, DefaultText(leaf), leaf.info.unit, Range(leaf)});
@@ -111,28 +76,13 @@ int ListSuites() {
   return 0;
 }
 
-// Whether a body moves. Parked cars are on a route with speed 0.
-bool Moves(const synth::PathDescription& path) {
-  if (const auto* route = std::get_if<synth::RouteDescription>(&path)) {
-    return std::any_of(route->speed.begin(), route->speed.end(),
-                       [](const auto& knot) { return knot.speed_mps > 0.0; });
-  }
-  return std::holds_alternative<synth::SwingDescription>(path);
-}
-
-std::ptrdiff_t CountMovers(const synth::SceneParts& parts) {
-  return std::count_if(parts.objects.begin(), parts.objects.end(),
-                       [](const synth::ObjectDescription& object) { return Moves(object.path); });
-}
-
 int ListScenes() {
-  TextTable table({"scene", "frames", "rate", "size", "movers", "about"});
+  TextTable table({"scene", "frames", "rate", "size", "about"});
   for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
     const auto scene = synth::SceneDescription::Load(shipped.name, {});
     const synth::SceneParts& parts = scene.parts();
     table.Add({scene.name(), std::to_string(parts.frames), ReadableNumber(parts.rate_hz) + " Hz",
-               StrCat(parts.rig.width_px, "x", parts.rig.height_px),
-               std::to_string(CountMovers(parts)), scene.about()});
+               StrCat(parts.rig.width_px, "x", parts.rig.height_px), scene.about()});
   }
   table.Print(std::cout);
   std::cout << '\n';
@@ -156,24 +106,22 @@ int ListKnobs(const std::string& name) {
   return 0;
 }
 
-int ListMetrics(bool json) {
-  Json list = Json::array();
+int ListMetrics() {
+  TextTable table({"name", "unit", "higher_is_better", "meaning"});
   for (const std::string& name : reports::AllMetricNames()) {
     const reports::MetricEntry* entry = reports::FindEntry(name);
-    list.push_back({{"name", name},
-                    {"unit", NameOf(entry->unit)},
-                    {"higher_is_better", entry->higher_is_better()},
-                    {"meaning", entry->meaning}});
+    table.Add(
+        {name, NameOf(entry->unit), entry->higher_is_better() ? "true" : "false", entry->meaning});
   }
-  return PrintList(list, json);
+  table.Print(std::cout);
+  return 0;
 }
 
-int List(const std::string& what, const std::string& family, bool json) {
+int List(const std::string& what, const std::string& family) {
   if (!family.empty() && what != "scenes") throw UsageError("FAMILY: applies to scenes");
-  if (what == "variants") return ListVariants(json);
-  if (what == "options") return ListOptions(json);
-  if (what == "metrics") return ListMetrics(json);
-  if (json) throw UsageError("--json: applies to variants, options and metrics");
+  if (what == "variants") return ListVariants();
+  if (what == "options") return ListOptions();
+  if (what == "metrics") return ListMetrics();
   if (what == "suites") return ListSuites();
   return family.empty() ? ListScenes() : ListKnobs(family);
 }
@@ -186,16 +134,14 @@ Command AddListCommand(CLI::App& program) {
   const FlagAdder add{*app};
   const auto what = std::make_shared<std::string>();
   const auto family = std::make_shared<std::string>();
-  const auto json = std::make_shared<bool>(false);
   add("WHAT", *what, "", "variants, options, metrics, suites or scenes")
       ->required()
       ->check(OneOf({"variants", "options", "metrics", "suites", "scenes"}));
   add("FAMILY", *family, "", "with scenes: a family or a JSON file, of which to list the knobs");
-  app->add_flag("--json", *json, "print JSON (variants, options and metrics)");
   app->footer(
       "Change options with clustervo run ... --set window.spatial=5, or with --config FILE.json:\n"
       "  {\"window\": {\"spatial\": 5}}");
-  return {app, [what, family, json] { return List(*what, *family, *json); }};
+  return {app, [what, family] { return List(*what, *family); }};
 }
 
 }  // namespace cvo

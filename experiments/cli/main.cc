@@ -115,11 +115,15 @@ std::string PresentName(const std::string& command, const std::string& word) {
   static const std::map<std::string, std::string> kPresent = {
       {"clustervo variants", "list variants"},
       {"clustervo options", "list options"},
-      {"clustervo eval --estimate", "eval trajectory, eval boxes or eval clock"},
+      {"clustervo eval --estimate", "eval trajectory or eval boxes"},
       {"clustervo synth list", "list scenes"},
       {"clustervo synth generate", "synth render FAMILY@SEED"},
       {"clustervo experiment list", "list suites"},
-      {"clustervo experiment plan", "experiment status SUITE -o DIR"},
+      {"clustervo experiment plan", "experiment run SUITE -o DIR --dry-run"},
+      {"clustervo experiment status",
+       "experiment table DIR, or experiment run SUITE -o DIR --dry-run"},
+      {"clustervo synth preview", "synth render SCENE -o FILE --preview"},
+      {"clustervo import", "info --left L --right R --calib C -o FOLDER"},
       {"clustervo experiment times", "experiment table --times"},
       {"clustervo compare", "experiment compare"},
       {"clustervo figures", "plot DIR"}};
@@ -237,10 +241,9 @@ int Main(int argc, char** argv) {
       "interrupted.");
   const Command chosen = Group(
       program, {AddRunCommand(program), AddDetectCommand(program), AddEvalCommand(program),
-                AddImportCommand(program), AddInfoCommand(program), AddListCommand(program),
-                AddSynthCommand(program), AddExperimentCommand(program), AddCheckCommand(program),
-                AddOverlayCommand(program), AddReportCommand(program), AddPlotCommand(program),
-                AddExplainCommand(program)});
+                AddInfoCommand(program), AddListCommand(program), AddSynthCommand(program),
+                AddExperimentCommand(program), AddCheckCommand(program), AddOverlayCommand(program),
+                AddReportCommand(program), AddPlotCommand(program), AddExplainCommand(program)});
   try {
     CheckNames(argc, argv, program);
     program.parse(argc, argv);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo synth: render, preview and check synthetic scenes.
+// clustervo synth: render and check synthetic scenes.
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -19,42 +19,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Flags of both render and preview.
-struct SceneFlags {
+struct RenderFlags {
   std::string scene;
   std::vector<std::string> set;
   std::string output;
   std::string frames;
+  bool preview = false;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> detectors;
   int threads = 1;
   bool quiet = false;
 
-  void AddTo(CLI::App& app, const char* output_kind, const char* output_meaning) {
-    const FlagAdder add{app};
-    add("SCENE", scene, "",
-        "a shipped scene (clustervo list scenes), a JSON file or a seed of a family, "
-        "such as room@17")
-        ->required();
-    add("-o,--output", output, output_kind, output_meaning)->required();
-    add("--frames", frames, "A:B", "frames A to B-1 of the scene; default: all");
-    add("--set", set, "KEY=VALUE", "set one value of the scene, such as sensor.read_noise=0")
-        ->allow_extra_args(false);
-    AddThreads(app, threads);
-    AddQuiet(app, quiet);
-  }
-  auto Load() const {
-    return LoadNamed(scene, [this] { return synth::LoadScene(scene, set); });
-  }
   synth::SceneFrames Frames() const {
     if (frames.empty()) return {};
     const FrameRange range = ParseFrameRange(frames);
     return {range.begin, range.end < 0 ? std::nullopt : std::optional(range.end)};
   }
-};
-
-struct RenderFlags {
-  SceneFlags scene;
-  std::optional<std::uint64_t> seed;
-  std::vector<std::string> detectors;
 };
 
 // Calls work(hooks). Returns 130 if the user stopped it, otherwise 0.
@@ -77,43 +57,48 @@ int RunStoppable(bool quiet, const Work& work) {
   }
 }
 
-int Render(const RenderFlags& flags) {
+// Writes a contact sheet: masks, boxes and a map of all paths.
+void WritePreview(const synth::SceneDescription& scene, const RenderFlags& flags,
+                  const synth::WorkHooks& hooks) {
+  synth::RenderRequest request;
+  request.threads = flags.threads;
+  const synth::DatasetSource source = synth::SourceOf(scene, request);
+  const synth::World world = source.build_world();
+  const synth::SceneFrames frames = flags.Frames();
+  const FrameRange range = ResolveFrameRange({frames.first, frames.end.value_or(-1)}, world.frames);
+  const cv::Mat sheet =
+      synth::MakeContactSheet(world, range.begin, range.end, source.open_tools(world), hooks);
+  WriteOutputFile(flags.output, EncodeImage(".png", sheet), {flags.scene});
+}
+
+void CheckOutput(const RenderFlags& flags) {
+  if (flags.preview) {
+    CheckOutputFile(flags.output, {flags.scene});
+    return;
+  }
   std::vector<fs::path> read;
-  if (fs::exists(flags.scene.scene)) read = {fs::absolute(flags.scene.scene).parent_path()};
-  CheckNewSequence(flags.scene.output, read);
+  if (fs::exists(flags.scene)) read = {fs::absolute(flags.scene).parent_path()};
+  CheckNewSequence(flags.output, read);
   try {
-    synth::RequireReplaceable(flags.scene.output);
+    synth::RequireReplaceable(flags.output);
   } catch (const Error& error) {
     throw UsageError(error.what());
   }
-  const auto scene = flags.scene.Load();
-  const int code = RunStoppable(flags.scene.quiet, [&](const synth::WorkHooks& hooks) {
-    synth::WriteDataset(scene,
-                        {.frames = flags.scene.Frames(),
-                         .seed = flags.seed,
-                         .detector_levels = flags.detectors,
-                         .threads = flags.scene.threads,
-                         .hooks = hooks},
-                        flags.scene.output);
-  });
-  if (code == 0) std::cout << "written: " << flags.scene.output << '\n';
-  return code;
 }
 
-int Preview(const SceneFlags& flags) {
-  const auto scene = flags.Load();
-  const synth::SceneFrames frames = flags.Frames();
-  CheckOutputFile(flags.output, {flags.scene});
+int Render(const RenderFlags& flags) {
+  CheckOutput(flags);
+  const auto scene =
+      LoadNamed(flags.scene, [&] { return synth::LoadScene(flags.scene, flags.set); });
   const int code = RunStoppable(flags.quiet, [&](const synth::WorkHooks& hooks) {
-    synth::RenderRequest request;
-    request.threads = flags.threads;
-    const synth::DatasetSource source = synth::SourceOf(scene, request);
-    const synth::World world = source.build_world();
-    const FrameRange range =
-        ResolveFrameRange({frames.first, frames.end.value_or(-1)}, world.frames);
-    const cv::Mat sheet =
-        synth::MakeContactSheet(world, range.begin, range.end, source.open_tools(world), hooks);
-    WriteOutputFile(flags.output, EncodeImage(".png", sheet), {flags.scene});
+    if (flags.preview) return WritePreview(scene, flags, hooks);
+    synth::WriteDataset(scene,
+                        {.frames = flags.Frames(),
+                         .seed = flags.seed,
+                         .detector_levels = flags.detectors,
+                         .threads = flags.threads,
+                         .hooks = hooks},
+                        flags.output);
   });
   if (code == 0) std::cout << "written: " << flags.output << '\n';
   return code;
@@ -123,32 +108,35 @@ Command AddRenderCommand(CLI::App& synth) {
   CLI::App* app = synth.add_subcommand("render", "Render a scene as a KITTI odometry folder");
   const FlagAdder add{*app};
   const auto flags = std::make_shared<RenderFlags>();
-  flags->scene.AddTo(
-      *app, "DIR",
-      "output folder; replaced if it exists and contains only files rendered by this program");
+  add("SCENE", flags->scene, "",
+      "a shipped scene (clustervo list scenes), a JSON file or a seed of a family, "
+      "such as room@17")
+      ->required();
+  add("-o,--output", flags->output, "DIR",
+      "output folder; replaced if it exists and contains only files rendered by this program; "
+      "with --preview: a PNG file")
+      ->required();
+  app->add_flag("--preview", flags->preview,
+                "only draw a contact sheet: masks, boxes and a map of all paths");
+  add("--frames", flags->frames, "A:B", "frames A to B-1 of the scene; default: all");
+  add("--set", flags->set, "KEY=VALUE", "set one value of the scene, such as sensor.read_noise=0")
+      ->allow_extra_args(false);
   AddSeed(*app, flags->seed, "seed of sensor noise and detector errors; default: the scene's");
   add("--detector", flags->detectors, "LEVEL",
       "detector level: oracle, good or poor; can be repeated; default: all")
       ->allow_extra_args(false);
+  AddThreads(*app, flags->threads);
+  AddQuiet(*app, flags->quiet);
   app->footer(
       "The seed changes sensor noise and detector errors (and, in clustervo run, the "
       "estimator's\nrandom draws), but not motion, textures or ground truth. Rendered images are "
       "cached in\nCLUSTERVO_CACHE (default: ~/.cache/clustervo), so another seed, noise level or "
       "detector does\nnot render again.\n"
       "Examples:\n"
-      "  clustervo synth render indoor_1 -o indoor_1\n"
+      "  clustervo synth render indoor_1 -o sheet.png --preview\n"
       "  clustervo synth render indoor_1 -o quiet --seed 3 --frames 0:50 --set "
       "sensor.read_noise=0");
   return {app, [flags] { return Render(*flags); }};
-}
-
-Command AddPreviewCommand(CLI::App& synth) {
-  CLI::App* app = synth.add_subcommand(
-      "preview", "Draw a contact sheet of a scene: masks, boxes and a map of all paths");
-  const auto flags = std::make_shared<SceneFlags>();
-  flags->AddTo(*app, "FILE", "PNG file to write");
-  app->footer("Example: clustervo synth preview indoor_1 -o sheet.png");
-  return {app, [flags] { return Preview(*flags); }};
 }
 
 constexpr int kDisagreement = 1;
@@ -202,12 +190,12 @@ Command AddSceneCheckCommand(CLI::App& synth) {
 
 Command AddSynthCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
-      "synth", "Render, preview and check synthetic stereo sequences with exact ground truth");
+      "synth", "Render and check synthetic stereo sequences with exact ground truth");
   app->footer(
       "Start with: clustervo synth render indoor_1 -o indoor_1, then clustervo synth check "
       "indoor_1\n"
       "and clustervo run indoor_1 -o results/indoor_1.");
-  return Group(*app, {AddRenderCommand(*app), AddPreviewCommand(*app), AddSceneCheckCommand(*app)});
+  return Group(*app, {AddRenderCommand(*app), AddSceneCheckCommand(*app)});
 }
 
 }  // namespace cvo

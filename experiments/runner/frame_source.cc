@@ -27,7 +27,6 @@
 #include "experiments/runner/identity.h"
 
 namespace cvo {
-namespace {
 
 // Decodes images and extracts features on the pool, a few frames ahead of the consumer. The frames
 // do not depend on the number of threads. Images of at most kFrames frames are in memory. The
@@ -61,12 +60,14 @@ class LookAhead {
 };
 
 // One image of a pair, processed by one task.
-struct Side {
+struct PreparedSide {
   OrbImage orb;
   std::string sha256;
   std::string problem;  // without the path
   StageTimes times_s;
 };
+
+namespace {
 
 // Removes the path at the beginning of a problem's description.
 std::string WithoutPath(const std::string& problem, const std::filesystem::path& path) {
@@ -81,11 +82,11 @@ struct SideOfFrame {
   int side;
 };
 
-Side PrepareSide(const SideOfFrame& of, const OrbOptions& options,
-                 const std::vector<CornerRegion>& regions) {
+PreparedSide PrepareSide(const SideOfFrame& of, const OrbOptions& options,
+                         const std::vector<CornerRegion>& regions) {
   const StereoPaths& paths = of.sequence.images[of.index];
   const std::filesystem::path& path = of.side == 0 ? paths.left : paths.right;
-  Side side;
+  PreparedSide side;
   LoadedImage image;
   {
     const ScopedStage stage(side.times_s, "decode");
@@ -108,9 +109,11 @@ void AddTimes(const StageTimes& from, StageTimes& to) {
   for (const auto& [stage, seconds] : from) to[stage] += seconds;
 }
 
+}  // namespace
+
 struct LookAhead::Slot {
   std::vector<cv::Rect2d> boxes;
-  std::array<Side, 2> sides;
+  std::array<PreparedSide, 2> sides;
   std::vector<StereoFeature> features;
   StageTimes match_times_s;
   std::atomic<int> unfinished = 2;
@@ -124,7 +127,7 @@ struct LookAhead::Slot {
       features = MatchStereo(sides[0].orb, sides[1].orb, sequence.camera, options.orb,
                              options.stereo, boxes);
     }
-    for (Side& side : sides) side.orb = {};
+    for (PreparedSide& side : sides) side.orb = {};
   }
 };
 
@@ -175,7 +178,7 @@ PreparedFrame LookAhead::Next() {
   extracted.hashes = {slot.sides[0].sha256, slot.sides[1].sha256};
   extracted.times_s = slot.match_times_s;
   for (int side = 0; side < 2; ++side) {
-    Side& image = slot.sides[static_cast<std::size_t>(side)];
+    PreparedSide& image = slot.sides[static_cast<std::size_t>(side)];
     AddTimes(image.times_s, extracted.times_s);
     if (image.problem.empty()) continue;
     extracted.problems.push_back({side, std::move(image.problem)});
@@ -183,6 +186,8 @@ PreparedFrame LookAhead::Next() {
   SubmitNext();
   return extracted;
 }
+
+namespace {
 
 FrontEndSettings Settings(const FrameInput& input) {
   const Sequence& sequence = input.sequence;
@@ -196,67 +201,50 @@ FrontEndSettings Settings(const FrameInput& input) {
           .first_frame = sequence.first_frame};
 }
 
-// Reads the frames from the cache, or extracts and records them for later runs. If one of the cache
-// cannot be read, extracts this one and all after it; the next run makes the entry again.
-class Frames final : public FrameSource {
- public:
-  Frames(const FrameInput& input, TaskPool& pool) : input_(input), pool_(pool) {
-    if (input.cache == nullptr) return;
-    images_ = input.images;
-    key_ = FrontEndKey(Settings(input), images_);
-    if (key_.empty()) return;
-    file_ = input.cache->Find(key_);
-    if (!file_) recording_.emplace(input.cache->Record(key_));
-  }
-
-  PreparedFrame Next() override {
-    const std::size_t index = next_++;
-    PreparedFrame frame;
-    if (file_ && ReadNext(index, frame)) return frame;
-    if (!ahead_) ahead_.emplace(input_.sequence, input_.options, pool_, index);
-    frame = ahead_->Next();
-    if (recording_) {
-      const ScopedStage stage(frame.times_s, "store_features");
-      recording_->Add(frame);
-      images_[index] = frame.hashes;
-    }
-    return frame;
-  }
-
-  // An image that has changed since leaves no entry.
-  void Finish() override {
-    if (recording_ && FrontEndKey(Settings(input_), images_) == key_) recording_->Finish();
-  }
-
- private:
-  // Returns false if the file is damaged, which removes it.
-  bool ReadNext(std::size_t index, PreparedFrame& frame) {
-    try {
-      const ScopedStage stage(frame.times_s, "load_features");
-      static_cast<FrontEndFrame&>(frame) = file_->Next();
-      frame.hashes = images_.at(index);
-      return true;
-    } catch (const Error& damage) {
-      input_.cache->Remove(key_, damage.what());
-      file_.reset();
-      return false;
-    }
-  }
-
-  const FrameInput input_;
-  TaskPool& pool_;
-  std::vector<ImageHashes> images_;  // as hashed before; those of recorded frames as read
-  std::string key_;
-  std::optional<FeatureFile> file_;
-  std::optional<FeatureRecording> recording_;
-  std::optional<LookAhead> ahead_;
-  std::size_t next_ = 0;
-};
-
 }  // namespace
 
-std::unique_ptr<FrameSource> OpenFrames(const FrameInput& input, TaskPool& pool) {
-  return std::make_unique<Frames>(input, pool);
+FrameSource::FrameSource(const FrameInput& input, TaskPool& pool) : input_(input), pool_(pool) {
+  if (input.cache == nullptr) return;
+  images_ = input.images;
+  key_ = FrontEndKey(Settings(input), images_);
+  if (key_.empty()) return;
+  file_ = input.cache->Find(key_);
+  if (!file_) recording_.emplace(input.cache->Record(key_));
+}
+
+FrameSource::~FrameSource() = default;
+
+PreparedFrame FrameSource::Next() {
+  const std::size_t index = next_++;
+  PreparedFrame frame;
+  if (file_ && ReadNext(index, frame)) return frame;
+  if (!ahead_) {
+    ahead_ = std::make_unique<LookAhead>(input_.sequence, input_.options, pool_, index);
+  }
+  frame = ahead_->Next();
+  if (recording_) {
+    const ScopedStage stage(frame.times_s, "store_features");
+    recording_->Add(frame);
+    images_[index] = frame.hashes;
+  }
+  return frame;
+}
+
+void FrameSource::Finish() {
+  if (recording_ && FrontEndKey(Settings(input_), images_) == key_) recording_->Finish();
+}
+
+bool FrameSource::ReadNext(std::size_t index, PreparedFrame& frame) {
+  try {
+    const ScopedStage stage(frame.times_s, "load_features");
+    static_cast<FrontEndFrame&>(frame) = file_->Next();
+    frame.hashes = images_.at(index);
+    return true;
+  } catch (const Error& damage) {
+    input_.cache->Remove(key_, damage.what());
+    file_.reset();
+    return false;
+  }
 }
 
 }  // namespace cvo

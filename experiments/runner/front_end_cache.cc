@@ -65,34 +65,20 @@ constexpr std::size_t kFeatureBytes = 3 * sizeof(double) + sizeof(std::int32_t) 
                                       6 * sizeof(float) + sizeof(std::uint8_t) +
                                       sizeof(Descriptor) + sizeof(FeaturePatch::pixels);
 
-void AppendFeature(const StereoFeature& feature, std::string& bytes) {
-  for (const double coordinate_px : feature.z_px) AppendNumber(coordinate_px, bytes);
-  AppendNumber(static_cast<std::int32_t>(feature.octave), bytes);
-  AppendNumber(feature.angle_rad, bytes);
-  AppendNumber(feature.response, bytes);
-  AppendNumber(feature.disagreement_px, bytes);
-  AppendNumber(feature.row_offset_px, bytes);
-  AppendNumber(static_cast<std::uint8_t>(feature.is_reserve), bytes);
-  for (const std::uint64_t word : feature.descriptor) AppendNumber(word, bytes);
-  AppendNumber(feature.patch.corner_u, bytes);
-  AppendNumber(feature.patch.corner_v, bytes);
-  bytes.append(feature.patch.pixels.begin(), feature.patch.pixels.end());
-}
-
-StereoFeature TakeFeature(ByteReader& reader) {
-  StereoFeature feature;
-  for (double& coordinate_px : feature.z_px) coordinate_px = reader.Number<double>();
-  feature.octave = reader.Number<std::int32_t>();
-  feature.angle_rad = reader.Number<float>();
-  feature.response = reader.Number<float>();
-  feature.disagreement_px = reader.Number<float>();
-  feature.row_offset_px = reader.Number<float>();
-  feature.is_reserve = reader.Number<std::uint8_t>() != 0;
-  for (std::uint64_t& word : feature.descriptor) word = reader.Number<std::uint64_t>();
-  feature.patch.corner_u = reader.Number<float>();
-  feature.patch.corner_v = reader.Number<float>();
-  for (std::uint8_t& pixel : feature.patch.pixels) pixel = reader.Number<std::uint8_t>();
-  return feature;
+// Calls `number` for every number of a feature, in the order in which they are stored.
+template <typename Feature, typename Number>
+void ForEachNumber(Feature& feature, const Number& number) {
+  for (auto& coordinate_px : feature.z_px) number(coordinate_px);
+  number(feature.octave);
+  number(feature.angle_rad);
+  number(feature.response);
+  number(feature.disagreement_px);
+  number(feature.row_offset_px);
+  number(feature.is_reserve);
+  for (auto& word : feature.descriptor) number(word);
+  number(feature.patch.corner_u);
+  number(feature.patch.corner_v);
+  for (auto& pixel : feature.patch.pixels) number(pixel);
 }
 
 }  // namespace
@@ -107,7 +93,9 @@ std::string EncodeFrame(const FrontEndFrame& frame) {
     bytes += problem.reason;
   }
   AppendNumber(static_cast<std::uint32_t>(frame.features.size()), bytes);
-  for (const StereoFeature& feature : frame.features) AppendFeature(feature, bytes);
+  for (const StereoFeature& feature : frame.features) {
+    ForEachNumber(feature, [&](const auto& number) { AppendNumber(number, bytes); });
+  }
   return bytes;
 }
 
@@ -129,7 +117,12 @@ FrontEndFrame DecodeFrame(std::string_view bytes) {
     ThrowError("features", StrCat(reader.left(), " bytes"), StrCat(features * kFeatureBytes));
   }
   frame.features.reserve(features);
-  for (std::uint32_t i = 0; i < features; ++i) frame.features.push_back(TakeFeature(reader));
+  for (std::uint32_t i = 0; i < features; ++i) {
+    ForEachNumber(frame.features.emplace_back(), [&]<typename T>(T& number) {
+      using Stored = std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T>;
+      number = static_cast<T>(reader.Number<Stored>());
+    });
+  }
   return frame;
 }
 

@@ -175,65 +175,6 @@ void TrimFolder(const fs::path& folder, std::uint64_t limit_bytes) {
 
 namespace {
 
-constexpr std::int64_t kRacy_ns = 2'000'000'000;     // the coarsest resolution of timestamps in use
-constexpr std::uint64_t kLimit_bytes = 256'000'000;  // of the hashes of all lists
-
-// What the file system states about files: with the same key they have the same bytes.
-struct Stamps {
-  std::string key;
-  std::int64_t newest_ns = 0;  // last change of any of them
-};
-
-std::int64_t Nanoseconds(const timespec& time) {
-  return static_cast<std::int64_t>(time.tv_sec) * 1'000'000'000 + time.tv_nsec;
-}
-
-Stamps StampsOf(const std::vector<fs::path>& files) {
-  Stamps stamps;
-  std::string text;
-  for (const fs::path& file : files) {
-    text += fs::absolute(file).lexically_normal().string();
-    struct stat status {};
-    if (::stat(file.c_str(), &status) == 0) {
-      // The time of the last change of content, name or permissions cannot be set back.
-      const std::int64_t modified_ns = Nanoseconds(status.st_mtim);
-      const std::int64_t changed_ns = Nanoseconds(status.st_ctim);
-      stamps.newest_ns = std::max({stamps.newest_ns, modified_ns, changed_ns});
-      text += StrCat('\0', status.st_size, ' ', modified_ns, ' ', changed_ns, ' ', status.st_ino);
-    }
-    text += '\0';
-  }
-  stamps.key = Sha256Hex(text);
-  return stamps;
-}
-
-// The file with hashes has one line per hash, and one with the hash of all of these lines.
-std::string Kept(const std::vector<std::string>& hashes) {
-  std::string lines;
-  for (const std::string& hash : hashes) lines += hash + "\n";
-  return lines + Sha256Hex(lines) + "\n";
-}
-
-// Empty if there are none, or if they are damaged.
-std::optional<std::vector<std::string>> ReadKept(const fs::path& file, std::size_t count) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-  try {
-    const std::string bytes = ReadFileBytes(file);
-    std::vector<std::string> hashes;
-    for (std::size_t begin = 0; begin < bytes.size() && hashes.size() < count;) {
-      const std::size_t end = std::min(bytes.find('\n', begin), bytes.size());
-      hashes.push_back(bytes.substr(begin, end - begin));
-      begin = end + 1;
-    }
-    if (hashes.size() != count || Kept(hashes) != bytes) return std::nullopt;
-    MarkUsed(file);
-    return hashes;
-  } catch (const Error&) {
-    return std::nullopt;  // another process has removed the file
-  }
-}
-
 std::string HashFile(const fs::path& file) {
   std::error_code ignored;
   return fs::is_regular_file(file, ignored) ? Sha256Hex(ReadFileBytes(file)) : "";
@@ -241,42 +182,22 @@ std::string HashFile(const fs::path& file) {
 
 }  // namespace
 
-std::vector<std::string> FileHashes::Of(const std::vector<fs::path>& files) const {
-  const Stamps stamps = StampsOf(files);
-  const std::string name = stamps.key + ".txt";
-  if (!folder.empty()) {
-    if (auto kept = ReadKept(folder / name, files.size())) return *std::move(kept);
-  }
-  const std::int64_t start_ns = hooks.now_ns();
+std::vector<std::string> HashFiles(const std::vector<fs::path>& files) {
   std::vector<std::string> hashes(files.size());
-  std::mutex mutex;
-  std::size_t done = 0;
-  TaskPool(threads).ParallelFor(static_cast<int>(files.size()), [&](int i) {
-    const auto index = static_cast<std::size_t>(i);
-    hashes[index] = HashFile(files[index]);
-    const std::lock_guard lock(mutex);
-    hooks.hashed(++done, files.size());
-  });
-  const bool settled = stamps.newest_ns + kRacy_ns <= start_ns && StampsOf(files).key == stamps.key;
-  if (folder.empty() || !settled) return hashes;
-  try {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    WriteFilesAtomically(folder, {{name, Kept(hashes)}});
-    TrimFolder(folder, kLimit_bytes);
-  } catch (const std::exception& error) {
-    hooks.notice(StrCat("file hashes are not kept for other runs: ", error.what()));
-  }
+  TaskPool(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())))
+      .ParallelFor(static_cast<int>(files.size()), [&](int i) {
+        hashes[static_cast<std::size_t>(i)] = HashFile(files[static_cast<std::size_t>(i)]);
+      });
   return hashes;
 }
 
-std::vector<ImageHashes> FileHashes::OfImages(const Sequence& sequence) const {
+std::vector<ImageHashes> HashImages(const Sequence& sequence) {
   std::vector<fs::path> files;
   for (const StereoPaths& pair : sequence.images) {
     files.push_back(pair.left);
     files.push_back(pair.right);
   }
-  std::vector<std::string> hashes = Of(files);
+  std::vector<std::string> hashes = HashFiles(files);
   std::vector<ImageHashes> images;
   for (std::size_t i = 0; i < hashes.size(); i += 2) {
     images.push_back({std::move(hashes[i]), std::move(hashes[i + 1])});

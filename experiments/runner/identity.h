@@ -73,29 +73,10 @@ void MarkUsed(const std::filesystem::path& file);
 // count. Files that cannot be removed stay.
 void TrimFolder(const std::filesystem::path& folder, std::uint64_t limit_bytes);
 
-struct FileHashHooks {
-  Notice notice = [](const std::string&) {};
-  // Called with the number of files read so far, if they have to be read.
-  std::function<void(std::size_t done, std::size_t total)> hashed = [](std::size_t, std::size_t) {};
-  // Wall-clock time, as in the timestamps of files.
-  std::function<std::int64_t()> now_ns = [] {
-    return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
-  };
-};
-
-// Hashes lists of files. The hashes of a list are kept in `folder` (empty: nowhere): if no file has
-// changed since, none is read. They are not kept if a file has changed within the last two seconds,
-// as its timestamp may not reveal another change. Damaged or unwritable hashes only cost time.
-struct FileHashes {
-  std::filesystem::path folder;
-  int threads = 1;
-  FileHashHooks hooks = {};
-
-  // Returns the SHA-256 of each file; empty if there is no such regular file. Throws Error for a
-  // file that cannot be read, as a plan made with another hash would be for another job.
-  std::vector<std::string> Of(const std::vector<std::filesystem::path>& files) const;
-  // Returns the hashes of a sequence's images, for ContentHash.
-  std::vector<ImageHashes> OfImages(const Sequence& sequence) const;
-};
+// Returns the SHA-256 of each file; empty if there is no such regular file. Throws Error for a file
+// that cannot be read, as a plan made with another hash would be for another job.
+std::vector<std::string> HashFiles(const std::vector<std::filesystem::path>& files);
+// Returns the hashes of a sequence's images, for ContentHash.
+std::vector<ImageHashes> HashImages(const Sequence& sequence);
 
 }  // namespace cvo

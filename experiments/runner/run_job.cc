@@ -31,8 +31,7 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// The record of a frame before it is estimated. With `strict`, an image that cannot be decoded is
-// an Error.
+// The record of a frame before it is estimated.
 FrameRecord RecordOf(const RunRequest& request, std::size_t index, const PreparedFrame& prepared) {
   const Sequence& sequence = request.sequence;
   FrameRecord record;
@@ -41,9 +40,6 @@ FrameRecord RecordOf(const RunRequest& request, std::size_t index, const Prepare
   const StereoPaths& paths = sequence.images[index];
   for (const SideProblem& problem : prepared.problems) {
     const std::filesystem::path& image = problem.side == 0 ? paths.left : paths.right;
-    if (request.strict) {
-      throw Error(StrCat(image.lexically_normal().string(), ": ", problem.reason));
-    }
     record.problems.push_back(
         {image.lexically_relative(sequence.folder).generic_string(), problem.reason});
   }
@@ -156,7 +152,7 @@ void JudgeStatus(RunResult& result) {
 
 // Hashes of all images, from their files unless the request has them.
 std::vector<ImageHashes> ImagesOf(const RunRequest& request) {
-  return request.images.empty() ? FileHashes().OfImages(request.sequence) : request.images;
+  return request.images.empty() ? HashImages(request.sequence) : request.images;
 }
 
 std::string JobOf(const RunRequest& request, const std::string& content) {
@@ -190,14 +186,13 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   TaskPool pool(request.threads);
   const std::unique_ptr<Odometry> odometry =
       request.variant.make({sequence.camera, request.options, request.seed}, pool);
-  const std::unique_ptr<FrameSource> source =
-      OpenFrames({sequence, request.options, request.images, request.cache}, pool);
+  FrameSource source({sequence, request.options, request.images, request.cache}, pool);
 
   RunResult result{request};
   std::vector<ImageHashes> hashes;
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
     const auto frame_start = std::chrono::steady_clock::now();
-    PreparedFrame prepared = source->Next();
+    PreparedFrame prepared = source.Next();
     prepared.times_s["wait_for_features"] = SecondsSince(frame_start);
     hashes.push_back(prepared.hashes);
     FrameRecord record = RecordOf(request, i, prepared);
@@ -228,7 +223,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   result.wall_s += SecondsSince(run_start);
   Refine(*odometry, result);
   JudgeStatus(result);
-  if (result.status != RunStatus::kFailed) source->Finish();
+  if (result.status != RunStatus::kFailed) source.Finish();
   // The identity of what was read does not depend on how far the run got.
   if (hashes.size() < sequence.images.size()) hashes = ImagesOf(request);
   result.content = ContentHash(sequence, hashes);
@@ -237,22 +232,6 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
 }
 
 namespace {
-
-// Warns of a run whose estimates take much memory; all of them are held until its end.
-void WarnOfMemory(const RunResult& run, std::vector<std::string>& warnings) {
-  constexpr double kMuch_bytes = 2e9;
-  std::size_t bytes = run.frames.size() * sizeof(FrameRecord);
-  for (const FrameRecord& frame : run.frames) {
-    bytes += frame.report.clusters.size() * (sizeof(ClusterReport) + sizeof(ClusterPose)) +
-             frame.detections.size() * sizeof(Detection) +
-             frame.landmarks.size() * sizeof(LandmarkObservation);
-  }
-  const double held = static_cast<double>(bytes);
-  if (held <= kMuch_bytes) return;
-  warnings.push_back(StrCat("the estimates of ", run.frames.size(), " frames took ",
-                            std::round(held / 1e8) / 10.0,
-                            " GB of memory: parts of the sequence (--frames) need less"));
-}
 
 // Returns the absolute path of a file. Levels of a scene and "labels" are not files and are
 // returned unchanged.
@@ -295,7 +274,6 @@ std::optional<RunResult> RunJob(const RunRequest& request, const std::filesystem
   run->warnings = FindImplausible(request.sequence);
   run->scores = ScoreRun(*run, bodies);
   WriteRunFiles(folder, *run, bodies, std::move(landmarks));
-  WarnOfMemory(*run, run->warnings);  // no part of the result
   return run;
 }
 

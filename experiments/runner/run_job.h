@@ -64,25 +64,4 @@ ObjectEstimate ObjectEstimateOf(const RunResult& run, reports::PoseTime time);
 [[nodiscard]] std::optional<RunResult> RunJob(const RunRequest& request,
                                               const std::filesystem::path& folder);
 
-// The caches that runs share, below the cache folder.
-struct JobCache {
-  // `limit_bytes` is that of the features; see CacheLimit.
-  JobCache(const std::filesystem::path& cache_folder, std::uint64_t limit_bytes, int threads,
-           const FileHashHooks& hooks)
-      : folder(cache_folder),
-        hashes{cache_folder / "hashes", threads, hooks},
-        features(cache_folder / "frontend", limit_bytes, hooks.notice) {}
-
-  // Fills in the image hashes of the request and lets it use the cached features. The cache must
-  // outlive the request.
-  void Serve(RunRequest& request) const {
-    request.images = hashes.OfImages(request.sequence);
-    request.cache = &features;
-  }
-
-  std::filesystem::path folder;
-  FileHashes hashes;
-  FrontEndCache features;
-};
-
 }  // namespace cvo

@@ -31,9 +31,8 @@ struct RunRequest {
   int threads = 1;                                    // results do not depend on it
   std::vector<std::string> classes = RigidClasses();  // of the detections that are used
   OracleSwitches oracle = {};
-  bool landmarks = false;  // RunJob writes landmarks.csv
-  bool strict = false;     // an image that cannot be decoded is an error, not a skipped frame
-  std::vector<ImageHashes> images = {};  // of every frame, from FileHashes; empty: unknown
+  bool landmarks = false;                // RunJob writes landmarks.csv
+  std::vector<ImageHashes> images = {};  // of every frame, from HashImages; empty: unknown
   const FrontEndCache* cache = nullptr;  // needs `images`; results do not depend on it
   std::function<void(std::size_t done)> progress = [](std::size_t) {};
   std::function<bool()> stop = [] { return false; };  // called after every frame
@@ -91,7 +90,7 @@ struct RunResult : RunRequest {
   double wall_s = 0.0;
   // From RunJob on:
   RunScores scores;
-  std::vector<std::string> warnings;  // of FindImplausible, and of much memory
+  std::vector<std::string> warnings;  // of FindImplausible
   reports::TimingData timing;
 };
 

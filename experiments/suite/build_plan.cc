@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/files/json/options_json.h"
+#include "core/files/sha256.h"
 #include "experiments/runner/front_end_cache.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_job.h"
@@ -67,10 +68,7 @@ struct Input {
   int frames = 0;
   Sequence sequence;
   std::string content;
-  std::string boxes;       // written by a detector
   std::string detections;  // DetectionsHash
-  std::vector<ImageHashes> images;
-  std::map<std::string, std::string> front_end_keys;  // by front-end options
 };
 
 // What jobs of one variant at one grid point share.
@@ -90,10 +88,7 @@ class Planner {
       : suite_(suite),
         request_(request),
         data_(Absolute(request.data)),
-        scenes_(Absolute(request.cache)),
-        hashes_{Absolute(request.cache) / "hashes"} {
-    hashes_.hooks.notice = request.notice;
-  }
+        scenes_(Absolute(request.cache)) {}
 
   BuiltPlan Build() {
     BuiltPlan built;
@@ -120,31 +115,14 @@ class Planner {
 
   Sequence Opened(PlanJob job, const Input& input) const {
     job.folder = input.folder;
-    job.boxes = input.boxes;
     return OpenSequence(RequestOf(suite_, job, data_.root()));
-  }
-
-  // Locates the file of a detector's boxes; adds a preparation if it does not exist or is damaged.
-  void FindBoxes(const PlanJob& job, Input& input) {
-    const Sequence sequence = Opened(job, input);
-    Preparation detection =
-        FindDetection({SequenceOf(job), sequence, data_.root(), Absolute(request_.cache)}, hashes_);
-    input.frames = detection.frames;
-    input.boxes = detection.output.string();
-    if (AreWhole(detection.output, hashes_)) return;
-    std::error_code ignored;
-    if (fs::exists(detection.output, ignored)) {
-      request_.notice("cached boxes are damaged and will be found again:  " + input.boxes);
-    }
-    input.missing = kNotDetected;
-    Want(std::move(detection));
   }
 
   // A damaged scene is drawn again too, because it shares files with the cached drawing.
   bool IsRendered(Preparation& scene) {
     std::error_code ignored;
     if (!fs::exists(scene.output / synth::kManifestName, ignored)) return false;
-    const auto damage = FindSceneDamage(scene.output, hashes_);
+    const auto damage = FindSceneDamage(scene.output);
     if (!damage) return true;
     request_.notice("a cached scene is damaged and will be rendered again:  " + *damage);
     scene.stage = Stage::kDrawing;
@@ -163,13 +141,10 @@ class Planner {
   }
 
   void Open(const PlanJob& job, Input& input) {
-    if (!SequenceOf(job).detector.model.empty()) FindBoxes(job, input);
-    if (!input.missing.empty()) return;
     input.sequence = Opened(job, input);
     input.frames = static_cast<int>(input.sequence.images.size());
-    if (SequenceOf(job).scene.empty()) RequireAsRendered(input.sequence, hashes_);
-    input.images = hashes_.OfImages(input.sequence);
-    input.content = ContentHash(input.sequence, input.images);
+    if (SequenceOf(job).scene.empty()) RequireAsRendered(input.sequence);
+    input.content = ContentHash(input.sequence, HashImages(input.sequence));
     input.detections = DetectionsHash(input.sequence);
   }
 
@@ -234,21 +209,6 @@ class Planner {
     return resolved_.emplace(key, std::move(resolved)).first->second;
   }
 
-  const std::string& FrontEndKeyOf(const VariantAtPoint& resolved, Input& input) const {
-    const auto [found, added] = input.front_end_keys.try_emplace(resolved.front_end);
-    if (added) {
-      found->second = FrontEndKey({.build = ThisBuild().identity,
-                                   .camera = input.sequence.camera,
-                                   .orb = resolved.options.orb,
-                                   .stereo = resolved.options.stereo,
-                                   .perturbation = input.sequence.perturbation,
-                                   .rectification = input.sequence.rectification,
-                                   .first_frame = input.sequence.first_frame},
-                                  input.images);
-    }
-    return found->second;
-  }
-
   void IdentifyFiles(const Input& input, PlanJob& job) const {
     try {
       job.job = IdentifySystem(
@@ -264,7 +224,6 @@ class Planner {
   void PlanInput(PlanJob& job) {
     Input& input = InputOf(job);
     job.folder = input.folder;
-    job.boxes = input.boxes;
     job.missing = input.missing;
     job.frames = input.frames;
     job.content = input.content;
@@ -274,7 +233,7 @@ class Planner {
       return;
     }
     const VariantAtPoint& resolved = ResolvedOf(job);
-    job.input = FrontEndKeyOf(resolved, input);
+    job.input = Sha256Hex(input.content + resolved.front_end);
     job.job = JobIdentity(
         {ThisBuild().identity, job.variant, resolved.json, input.content, input.detections,
          Given(input.sequence, ClassesOf(SequenceOf(job)), OracleOf(job.oracle)), job.seed});
@@ -284,7 +243,6 @@ class Planner {
   const PlanRequest& request_;
   DataFolder data_;
   SceneFolders scenes_;
-  FileHashes hashes_;
   std::map<std::string, Input> inputs_;
   std::map<std::string, VariantAtPoint> resolved_;
   std::vector<Preparation> wanted_;

@@ -42,22 +42,20 @@ class DataFolder {
   std::optional<std::vector<FoundSequence>> all_;
 };
 
-// Preparations that jobs may wait for, in the order in which they run: drawing a scene, adding the
-// noise of further seeds to that drawing, and detecting boxes with a network.
-enum class Stage { kDrawing, kNoise, kBoxes };
-inline constexpr std::array kStages = {Stage::kDrawing, Stage::kNoise, Stage::kBoxes};
+// Rendering of a scene that jobs wait for, in the order in which they run: drawing it, and adding
+// the noise of further seeds to that drawing.
+enum class Stage { kDrawing, kNoise };
+inline constexpr std::array kStages = {Stage::kDrawing, Stage::kNoise};
 
 struct Preparation {
   std::string name;      // unique within the plan
   std::string sequence;  // SuiteSequence::name
-  // <cache>/scenes/<name>-<key>/<name>: a scene as rendered for one seed and one grid point; or
-  // <cache>/detections/<hash>.txt: boxes, where the hash covers the bytes of the network's files
-  // and of the left images, the detector's flags and the program.
+  // <cache>/scenes/<name>-<key>/<name>: the scene as rendered for one seed and one grid point.
   std::filesystem::path output;
   std::vector<std::string> arguments;  // of the program, to write `output`
   int frames = 0;
-  Stage stage = Stage::kDrawing;  // of a scene: kNoise if its drawing is in the cache
-  std::string drawing = {};       // of a scene: key of the drawing, which all seeds share
+  Stage stage = Stage::kDrawing;  // kNoise if its drawing is in the cache
+  std::string drawing = {};       // key of the drawing, which all seeds share
 };
 
 // Finds scenes below <cache>/scenes by a key of what determines their content: the scene, the
@@ -84,33 +82,19 @@ class SceneFolders {
 // Returns what is wrong with a rendered folder: an unreadable manifest, or the first file that is
 // missing or differs from the manifest. Of per-frame files, only those of `frames` are checked.
 std::optional<std::string> FindSceneDamage(const std::filesystem::path& folder,
-                                           const FileHashes& hashes, const FrameRange& frames = {});
+                                           const FrameRange& frames = {});
 
 // Throws Error if the sequence is a rendered folder and a file that a run on it may read is not the
 // one that was rendered.
-void RequireAsRendered(const Sequence& sequence, const FileHashes& hashes);
+void RequireAsRendered(const Sequence& sequence);
 
-// Returns the first file of boxes, labels or a detector that does not exist below `data`, as
+// Returns the first file of boxes or labels that does not exist below `data`, as
 // written in the suite; empty if all exist.
 std::string FindMissingFile(const SuiteSequence& sequence, const std::filesystem::path& data);
 
-// A sequence whose boxes are detected by a network.
-struct DetectorInput {
-  const SuiteSequence& written;
-  const Sequence& sequence;  // opened without boxes
-  std::filesystem::path data;
-  std::filesystem::path cache;
-};
-
-Preparation FindDetection(const DetectorInput& input, const FileHashes& hashes);
-// Whether the boxes and the checksum beside them (`detect --checksum`) exist and agree.
-bool AreWhole(const std::filesystem::path& boxes, const FileHashes& hashes);
-
-using reports::IsPending;
-using reports::kNotDetected;
 using reports::kNotRendered;
 
-// PlanJob::missing starts with this if a file of boxes, labels or a network does not exist,
+// PlanJob::missing starts with this if a file of boxes or labels does not exist,
 // which is not a failure.
 inline constexpr std::string_view kNoFile = "no file ";
 
@@ -139,7 +123,7 @@ struct PlanRequest {
 
 struct BuiltPlan {
   Plan plan;
-  // Ordered by stage. The jobs that wait for them are kNotRendered or kNotDetected.
+  // Ordered by stage. The jobs that wait for them are kNotRendered.
   std::vector<Preparation> preparations;
 };
 

@@ -114,10 +114,6 @@ void CheckSequences(const Suite& suite, const std::string& where) {
     }
     CheckNames(sequence.classes, KnownClasses(), at + ".classes",
                "classes of detections, of " + Joined(KnownClasses(), ", "));
-    if (!sequence.detector.model.empty() && sequence.detections_camera >= 0) {
-      ThrowError(at + ".detections_camera", "a camera of boxes that a model finds",
-                 "none: it looks at the left images that are read");
-    }
     At(at, [&] {
       PerturbationOf(sequence, {}, 0);
       if (!sequence.scene.empty()) {

@@ -40,13 +40,6 @@ void ReadRows(ObjectReader& object, CollectionSection& section) {
     ThrowError(object.Where("rows"), StrCat(section.rows.back().size(), " cells"),
                StrCat(section.columns.size(), ", one per column"));
   }
-  if (!object.Has("measured")) return;
-  for (const auto& [variant, cells] : object.Value("measured").items()) {
-    section.measured.emplace_back(variant, ReadTexts(cells, object.Where("measured")));
-    if (section.measured.back().second.size() + 1 == section.columns.size()) continue;
-    ThrowError(object.Where("measured"), StrCat(section.measured.back().second.size(), " cells"),
-               StrCat(section.columns.size() - 1, ", all columns but the last"));
-  }
 }
 
 // Resolves a suite file relative to the collection's folder; other names stay as they are.

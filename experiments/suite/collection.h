@@ -24,7 +24,7 @@ struct CollectionFigure {
 };
 
 // A section of the page, for one table or figure of the paper: text, then the table of a suite or
-// the published results of other systems with our measured speed, then images.
+// the published results of other systems, then images.
 struct CollectionSection {
   std::string title;
   std::string suite;              // shipped name or suite file; empty: none
@@ -32,9 +32,6 @@ struct CollectionSection {
   std::string data;               // where to get missing data
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  // results of other systems, as published
-  // Rows for our variants, below `rows`: each variant, whose measured frames per second fill the
-  // last column, with the cells before that.
-  std::vector<std::pair<std::string, std::vector<std::string>>> measured;
   std::vector<CollectionFigure> figures;
   bool times = false;  // show the suite's times instead of its table
 };

@@ -184,7 +184,7 @@ class RunningTask {
     }
     const std::optional<int> status = process_.Poll();
     if (!status) return std::nullopt;
-    return TaskEnd{*status == 0, *status == 0 ? "" : MessageOf(*status), seconds};
+    return TaskEnd{*status == 0, *status == 0 ? "" : MessageOf(*status)};
   }
 
  private:
@@ -256,7 +256,7 @@ void LocalEngine::Run(std::span<const Task> tasks, const EngineHooks& hooks) {
       try {
         running.try_emplace(task, tasks[task]);
       } catch (const Error& error) {
-        hooks.ended(task, {false, error.what(), 0.0});
+        hooks.ended(task, {false, error.what()});
       }
     }
     if (running.empty()) continue;

@@ -30,7 +30,6 @@ struct Task {
 struct TaskEnd {
   bool ok = false;      // exit code 0
   std::string message;  // else: "exit code 3", "killed by signal 9", "stopped after 600 s", ...
-  double seconds = 0.0;
 };
 
 struct EngineHooks {

@@ -105,8 +105,7 @@ std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
 }
 
 std::string DetectorLevel(const SuiteSequence& sequence) {
-  const bool own = sequence.detector.model.empty();
-  return own && !AreFromLabels(sequence.detections) ? sequence.detections : "";
+  return AreFromLabels(sequence.detections) ? "" : sequence.detections;
 }
 
 SequenceRequest RequestOf(const Suite& suite, const PlanJob& job, const fs::path& data) {
@@ -121,9 +120,7 @@ SequenceRequest RequestOf(const Suite& suite, const PlanJob& job, const fs::path
     request.begin_frame = range.begin;
     request.end_frame = range.end;
   }
-  if (!sequence.detector.model.empty()) {
-    request.detections_file = job.boxes;
-  } else if (!sequence.scene.empty()) {
+  if (!sequence.scene.empty()) {
     request.detections_file = SceneDetections(sequence, job);
   } else if (!sequence.detections.empty()) {
     request.detections_file = AreFromLabels(sequence.detections) ? fs::path(sequence.detections)

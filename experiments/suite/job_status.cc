@@ -58,24 +58,6 @@ namespace {
 
 constexpr std::string_view kErrorPrefix = "clustervo: error: ";
 
-// Throws Error if tables and the gate would reject the result, or if it is that of another job.
-void CheckResult(const fs::path& file, const PlanJob& job) {
-  const reports::RunSummary run = reports::ReadRun(file, {});
-  reports::CheckRunOf(job, run);
-  if (run.status == ToString(RunStatus::kFailed)) {
-    throw Error(StrCat(file.string(), ": the estimator gave up: ", run.message));
-  }
-}
-
-std::string FailureMessage(const fs::path& file) {
-  try {
-    const std::string message = ReadRecord<reports::JobFailure>(file).message;
-    return message.empty() ? "failed, without a message in its record" : message;
-  } catch (const Error& error) {
-    return StrCat("failed, and its record cannot be read: ", error.what());
-  }
-}
-
 // Returns a limited part of the end of a file, starting at the beginning of a line.
 std::string Tail(const fs::path& file) {
   constexpr std::streamoff kBytes = 4000;
@@ -91,10 +73,10 @@ std::string Tail(const fs::path& file) {
 }
 
 // A scene can always be rendered, and a folder that was found was meant to be used, so a problem
-// with either is a failure and not missing data. A stale trajectory and a missing file of boxes,
-// labels or a network cannot be obtained, and count as missing data.
+// with either is a failure and not missing data. A stale trajectory and a missing file of boxes
+// or labels cannot be obtained, and count as missing data.
 JobStatus::State StateWithoutInput(const Plan& plan, const PlanJob& job) {
-  if (IsPending(job.missing)) return JobStatus::State::kMissing;
+  if (job.missing == kNotRendered) return JobStatus::State::kMissing;
   const bool absent = (plan.suite.sequences[job.entry].scene.empty() && job.folder.empty()) ||
                       job.missing.starts_with(kStale) || job.missing.starts_with(kNoFile);
   return absent ? JobStatus::State::kNoSequence : JobStatus::State::kFailed;
@@ -102,22 +84,18 @@ JobStatus::State StateWithoutInput(const Plan& plan, const PlanJob& job) {
 
 }  // namespace
 
-const char* ToString(JobStatus::State state) {
-  static constexpr std::array kNames = {"done", "failed", "missing", "no sequence"};
-  return kNames.at(static_cast<std::size_t>(state));
-}
-
-bool HasFiles(const SuiteFolder& folder, const PlanJob& job) {
-  const fs::path files = folder.job(job.job);
-  return fs::exists(files / "result.json") &&
-         (!job.landmarks || fs::exists(files / "landmarks.csv"));
-}
-
+// A result that tables and the gate would reject, or that is of another job, does not count.
 std::string ProblemOfResult(const SuiteFolder& folder, const PlanJob& job) {
-  if (!HasFiles(folder, job)) return "ended without a result";
+  const fs::path files = folder.job(job.job);
+  if (!fs::exists(files / "result.json") ||
+      (job.landmarks && !fs::exists(files / "landmarks.csv"))) {
+    return "ended without a result";
+  }
   try {
-    CheckResult(folder.job(job.job) / "result.json", job);
-    return "";
+    const reports::RunSummary run = reports::ReadRun(files / "result.json", {});
+    reports::CheckRunOf(job, run);
+    const bool failed = run.status == ToString(RunStatus::kFailed);
+    return failed ? "the estimator gave up: " + run.message : "";
   } catch (const Error& error) {
     return error.what();
   }
@@ -128,7 +106,11 @@ JobStatus StatusOf(const SuiteFolder& folder, const PlanJob& job) {
   if (ProblemOfResult(folder, job).empty()) return {JobStatus::State::kDone, ""};
   const fs::path failure = folder.failure(job.job);
   if (!fs::exists(failure)) return {JobStatus::State::kMissing, ""};
-  return {JobStatus::State::kFailed, FailureMessage(failure)};
+  try {
+    return {JobStatus::State::kFailed, ReadRecord<reports::JobFailure>(failure).message};
+  } catch (const Error& error) {
+    return {JobStatus::State::kFailed, error.what()};
+  }
 }
 
 std::vector<JobStatus> StatusOfAll(const SuiteFolder& folder, const Plan& plan) {

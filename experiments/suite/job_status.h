@@ -53,14 +53,10 @@ struct JobStatus {
   State state = State::kMissing;
   std::string message;  // the reason; empty if done
 };
-const char* ToString(JobStatus::State state);
 
 // Returns the status of a job whose input exists, according to its files, whatever wrote them. Only
 // a complete result of exactly this job counts; anything else in its place is ignored.
 JobStatus StatusOf(const SuiteFolder& folder, const PlanJob& job);
-
-// Whether the files of a finished job exist, regardless of their content.
-bool HasFiles(const SuiteFolder& folder, const PlanJob& job);
 
 // Returns why the job is not done; empty if it is.
 std::string ProblemOfResult(const SuiteFolder& folder, const PlanJob& job);

@@ -38,39 +38,17 @@ std::vector<std::string> ReadTextsOf(ObjectReader& object, const char* key) {
   return ReadTexts(object.Value(key), object.Where(key));
 }
 
-std::optional<double> ReadNumber(ObjectReader& object, const char* key, const synth::Range& range) {
-  return object.Has(key) ? std::optional(object.Number(key, range)) : std::nullopt;
-}
-
 Json ReadObject(ObjectReader& object, const char* key) {
   if (!object.Has(key)) return Json::object();
   object.Object(key);  // throws if it is not an object
   return object.Value(key);
 }
 
-// A network that detects the boxes, named after its model by default.
-void ReadDetector(ObjectReader detector, SuiteSequence& sequence) {
-  sequence.detector.model = detector.Text("model");
-  sequence.detector.names = detector.Text("names");
-  sequence.detector.weights = detector.TextOr("weights", "");
-  sequence.detector.input = detector.TextOr("input", "");
-  sequence.detector.min_score = ReadNumber(detector, "min_score", {0.0, 1.0});
-  sequence.detector.max_overlap = ReadNumber(detector, "max_overlap", {0.0, 1.0});
-  sequence.detections = detector.TextOr("name", fs::path(sequence.detector.model).stem().string());
-  detector.Finish();
-  if (!sequence.detector.model.empty() && !sequence.detections.empty()) return;
-  ThrowError(detector.Where("model"), "a model without a name", "its file");
-}
-
 // The fields of a sequence but for its scene or folder.
 void ReadFields(ObjectReader& object, SuiteSequence& sequence) {
   sequence.name = object.TextOr("name", sequence.name);
   sequence.frames = object.TextOr("frames", "");
-  if (object.Has("detections") && object.Value("detections").is_object()) {
-    ReadDetector(object.Object("detections"), sequence);
-  } else {
-    sequence.detections = object.TextOr("detections", "");
-  }
+  sequence.detections = object.TextOr("detections", "");
   sequence.classes = ReadTextsOf(object, "classes");
   sequence.perturb = ReadObject(object, "perturb");
   if (sequence.folder.empty()) return;

@@ -7,7 +7,6 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
-#include "detector_sources.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/identity.h"
 #include "experiments/suite/build_plan.h"
@@ -31,16 +30,7 @@ bool EndsWith(const fs::path& path, const fs::path& end) {
   return true;
 }
 
-// Returns as many of the last components of `path` as `other` has.
-std::string LastParts(const fs::path& path, const fs::path& other) {
-  fs::path last;
-  auto part = path.end();
-  for (auto i = other.begin(); i != other.end() && part != path.begin(); ++i) last = *--part / last;
-  return NormalFolder(fs::path("/") / last).relative_path().string();
-}
-
 constexpr std::size_t kKeyDigits = 16;
-constexpr std::size_t kNameDigits = 8;
 
 synth::RenderRequest RenderOf(const SuiteSequence& sequence, std::uint64_t seed) {
   synth::RenderRequest request;
@@ -59,29 +49,6 @@ bool IsOf(const FrameRange& frames, const std::string& name) {
   if (!path.has_parent_path()) return true;
   const std::optional<std::int64_t> number = ParseInteger(path.stem().string());
   return !number || (*number >= frames.begin && (frames.end < 0 || *number < frames.end));
-}
-
-// Returns the arguments with which the program writes the boxes.
-std::vector<std::string> DetectArguments(const DetectorInput& input, const fs::path& model,
-                                         const std::string& boxes) {
-  const SuiteSequence& written = input.written;
-  const SuiteDetector& detector = written.detector;
-  std::vector<std::string> arguments = {"detect",  input.sequence.folder.string(),
-                                        "--model", model.string(),
-                                        "--names", (input.data / detector.names).string()};
-  const auto add = [&arguments](const char* flag, const std::string& value) {
-    if (!value.empty()) arguments.insert(arguments.end(), {flag, value});
-  };
-  if (!detector.weights.empty()) add("--weights", (input.data / detector.weights).string());
-  add("--input", detector.input);
-  if (detector.min_score) add("--min-score", Json(*detector.min_score).dump());
-  if (detector.max_overlap) add("--max-overlap", Json(*detector.max_overlap).dump());
-  add("--pair", written.pair);
-  // The frames of a scene were selected at rendering.
-  if (written.scene.empty()) add("--frames", written.frames);
-  if (!written.layout.empty()) add("--layout", written.layout.dump());
-  arguments.insert(arguments.end(), {"-o", boxes, "--checksum"});
-  return arguments;
 }
 
 }  // namespace
@@ -110,13 +77,7 @@ DataFolder::Found DataFolder::Find(const std::string& folder) {
     }
     found.folder = fs::absolute(sequence.folder);
   }
-  if (found.folder.empty()) {
-    std::vector<std::string> known;
-    for (const FoundSequence& sequence : All()) {
-      known.push_back(LastParts(sequence.folder, fs::path(folder)));
-    }
-    found.missing = StrCat("no ", folder, DidYouMean(folder, known), " below ", root_.string());
-  }
+  if (found.folder.empty()) found.missing = StrCat("no ", folder, " below ", root_.string());
   return found;
 }
 
@@ -162,13 +123,12 @@ Preparation SceneFolders::Find(const SuiteSequence& sequence, const GridPoint& p
   return render;
 }
 
-std::optional<std::string> FindSceneDamage(const fs::path& folder, const FileHashes& hashes,
-                                           const FrameRange& frames) try {
+std::optional<std::string> FindSceneDamage(const fs::path& folder, const FrameRange& frames) try {
   std::vector<synth::FileRecord> records = synth::ReadManifest(folder).files;
   std::erase_if(records, [&](const auto& record) { return !IsOf(frames, record.name); });
   std::vector<fs::path> files;
   for (const synth::FileRecord& record : records) files.push_back(folder / record.name);
-  const std::vector<std::string> found = hashes.Of(files);
+  const std::vector<std::string> found = HashFiles(files);
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (found[i] == records[i].sha256) continue;
     return files[i].string() +
@@ -179,66 +139,27 @@ std::optional<std::string> FindSceneDamage(const fs::path& folder, const FileHas
   return error.what();
 }
 
-void RequireAsRendered(const Sequence& sequence, const FileHashes& hashes) {
+void RequireAsRendered(const Sequence& sequence) {
   std::error_code ignored;
   if (!fs::exists(sequence.folder / synth::kManifestName, ignored)) return;
   const int frames = static_cast<int>(sequence.images.size());
-  const auto damage = FindSceneDamage(sequence.folder, hashes,
-                                      {sequence.first_frame, sequence.first_frame + frames});
+  const auto damage =
+      FindSceneDamage(sequence.folder, {sequence.first_frame, sequence.first_frame + frames});
   if (!damage) return;
   throw Error(StrCat(*damage, "; expected the files that ", synth::kManifestName,
                      " lists: render the scene again, or remove that file to use other files"));
 }
 
 std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data) {
-  const SuiteDetector& detector = sequence.detector;
-  std::vector<std::string> files = {detector.model, detector.weights, detector.names,
-                                    sequence.labels_file.string()};
-  const bool is_file =
-      detector.model.empty() && sequence.scene.empty() && !AreFromLabels(sequence.detections);
-  if (is_file) files.push_back(sequence.detections);
+  std::vector<std::string> files = {sequence.labels_file.string()};
+  if (sequence.scene.empty() && !AreFromLabels(sequence.detections)) {
+    files.push_back(sequence.detections);
+  }
   for (const std::string& file : files) {
     std::error_code ignored;
     if (!file.empty() && !fs::is_regular_file(data / file, ignored)) return file;
   }
   return "";
-}
-
-Preparation FindDetection(const DetectorInput& input, const FileHashes& hashes) {
-  const SuiteDetector& detector = input.written.detector;
-  const fs::path model = input.data / detector.model;
-  const fs::path weights = detector.weights.empty() ? fs::path(model).replace_extension(".weights")
-                                                    : input.data / detector.weights;
-  Json json = {{"program", kDetectorSources},
-               {"opencv", ThisBuild().libraries.opencv},
-               {"cpu_level", ThisBuild().cpu_level},
-               {"network", hashes.Of({model, weights, input.data / detector.names})},
-               {"input", detector.input},
-               {"first_frame", input.sequence.first_frame},
-               {"images", Json::array()}};
-  if (detector.min_score) json["min_score"] = *detector.min_score;
-  if (detector.max_overlap) json["max_overlap"] = *detector.max_overlap;
-  if (input.sequence.rectification) json["rectified"] = input.sequence.rectification->identity();
-  for (const ImageHashes& pair : hashes.OfImages(input.sequence))
-    json["images"].push_back(pair.left);
-  const std::string hash = Sha256Hex(DumpJson(json));
-  Preparation detection;
-  detection.name = StrCat("detect-", input.written.name, "-", hash.substr(0, kNameDigits));
-  detection.sequence = input.written.name;
-  detection.output = input.cache / "detections" / (hash + ".txt");
-  detection.arguments = DetectArguments(input, model, detection.output.string());
-  detection.frames = static_cast<int>(input.sequence.images.size());
-  detection.stage = Stage::kBoxes;
-  return detection;
-}
-
-bool AreWhole(const fs::path& boxes, const FileHashes& hashes) {
-  try {
-    return ReadFileBytes(boxes.string() + kChecksumSuffix, kHashBytes) ==
-           hashes.Of({boxes}).front();
-  } catch (const Error&) {  // one of the two does not exist
-    return false;
-  }
 }
 
 }  // namespace cvo

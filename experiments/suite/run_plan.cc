@@ -69,7 +69,7 @@ class JobFolder {
 };
 
 void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
-                const JobCache& cache, const JobFolder& folder) {
+                const FrontEndCache& cache, const JobFolder& folder) {
   RunRequest request{.sequence = sequence,
                      .variant = FindVariant(job.variant),
                      .options = OptionsOf(plan.suite, job.variant, job.parameters),
@@ -78,12 +78,9 @@ void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
                      .classes = ClassesOf(plan.suite.sequences[job.entry]),
                      .oracle = OracleOf(job.oracle),
                      .landmarks = job.landmarks};
-  if (plan.suite.timed_threads > 0) {
-    // A timed job extracts its features itself, so that they count in its time.
-    request.images = cache.hashes.OfImages(sequence);
-  } else {
-    cache.Serve(request);
-  }
+  request.images = HashImages(sequence);
+  // A timed job extracts its features itself, so that they count in its time.
+  if (plan.suite.timed_threads == 0) request.cache = &cache;
   folder.CheckIdentity(IdentifyJob(request), sequence);
   const std::optional<RunResult> run = RunJob(request, folder.path());
   // The identity of the bytes that were processed, which may have changed since the first check.
@@ -94,10 +91,10 @@ void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
 }
 
 void RunSystem(const Plan& plan, const PlanJob& job, const Sequence& sequence,
-               const JobCache& cache, const JobFolder& folder) {
+               const fs::path& cache, const JobFolder& folder) {
   const SystemRequest request{.sequence = sequence,
-                              .content = ContentHash(sequence, cache.hashes.OfImages(sequence)),
-                              .files = SystemFilesOf(plan.suite, job, plan.data, cache.folder),
+                              .content = ContentHash(sequence, HashImages(sequence)),
+                              .files = SystemFilesOf(plan.suite, job, plan.data, cache),
                               .seed = job.seed};
   folder.CheckIdentity(IdentifySystem(request), sequence);
   WriteFilesAtomically(folder.path(), {{"result.json", ScoreSystem(request).result}});
@@ -106,31 +103,20 @@ void RunSystem(const Plan& plan, const PlanJob& job, const Sequence& sequence,
 }  // namespace
 
 void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder,
-                   const JobCache& cache) {
+                   const fs::path& cache, const Notice& notice) {
   const PlanJob& job = FindJob(plan, id, folder);
   const Sequence sequence = OpenSequence(RequestOf(plan.suite, job, plan.data));
-  RequireAsRendered(sequence, cache.hashes);
+  RequireAsRendered(sequence);
   const JobFolder output(folder, id);
-  (job.system.empty() ? RunVariant : RunSystem)(plan, job, sequence, cache, output);
+  if (!job.system.empty()) return RunSystem(plan, job, sequence, cache, output);
+  RunVariant(plan, job, sequence, {cache / "frontend", CacheLimit(), notice}, output);
 }
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Free space below which a disk counts as full: what running jobs may still write.
-constexpr std::uintmax_t kReserve_bytes = 16'000'000;
 constexpr std::chrono::milliseconds kRecheckInterval(200);
-
-void CheckSpace(const fs::path& root) {
-  std::error_code error;
-  const fs::space_info space = fs::space(root, error);
-  if (error || space.available >= kReserve_bytes) return;
-  ThrowError(root.string(),
-             StrCat("a full disk, ", std::floor(static_cast<double>(space.available) / 1e5) / 10.0,
-                    " MB free"),
-             StrCat("at least ", kReserve_bytes / 1'000'000, " MB; finished jobs are kept"));
-}
 
 void MakeFolder(const fs::path& folder) {
   std::error_code error;
@@ -226,7 +212,6 @@ class JobRunner {
         WriteFailure(run_.folder, job.job, message);
         run_.notice(StrCat("failed: ", Describe(job), ": ", message));
       }
-      CheckSpace(run_.folder.root);
       run_.progress(++ended_, total_);
     } catch (const Error& error) {
       problem_ = error.what();
@@ -264,7 +249,6 @@ PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
   for (const char* name : {"jobs", "failed", "logs"}) MakeFolder(run.folder.root / name);
   RemoveTemporaries(run.folder.root / "failed");
   RemoveEmptyFolders(run.folder.root / "jobs");
-  CheckSpace(run.folder.root);
   JobRunner runner(run, engine, pending.first.size() + pending.rest.size());
   runner.Run(pending.first);
   runner.Run(pending.rest);

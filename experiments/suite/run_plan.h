@@ -17,9 +17,10 @@ namespace cvo {
 
 // Runs one job of the plan, on one thread unless the suite sets timed_threads, and writes its
 // files, result.json last. Throws Error if there is no such job, if the program or the sequence's
-// files differ from those planned, or if the estimator failed; then there is no result.
+// files differ from those planned, or if the estimator failed; then there is no result. Features
+// are shared with other jobs below `cache`; `notice` is told of what the cache cannot do.
 void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& folder,
-                   const JobCache& cache);
+                   const std::filesystem::path& cache, const Notice& notice);
 
 // Parameters and callbacks of RunPlan.
 struct PlanRun {

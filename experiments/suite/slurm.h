@@ -64,7 +64,6 @@ using SlurmQueue = std::map<std::pair<std::string, std::size_t>, SlurmTask>;
 struct SlurmSubmitted {
   std::string job;      // job id; empty if refused
   std::string refused;  // Slurm's message
-  bool full = false;    // refused for the number of tasks, of all users or of this one
 };
 
 // Thrown when Slurm does not respond. Tasks already submitted continue without us.
@@ -80,9 +79,6 @@ class SlurmClient {
  public:
   SlurmClient(double patience_s, EngineHooks hooks);
 
-  // Returns the maximum number of tasks in one array. Throws Error if Slurm is not installed or
-  // does not allow arrays.
-  std::size_t ArraySize() const;
   SlurmQueue Queue(const std::vector<std::string>& names) const;
   SlurmSubmitted Submit(const SlurmArray& array, const std::vector<std::string>& flags) const;
   // Cancels jobs or tasks ("123", "123_4"). Those that have ended are ignored.
@@ -92,7 +88,7 @@ class SlurmClient {
   bool Pause(double seconds) const;
 
  private:
-  Captured Ask(const std::vector<std::string>& argv, double patience_s) const;
+  Captured Ask(const std::vector<std::string>& argv) const;
 
   double patience_s_;
   EngineHooks hooks_;
@@ -104,7 +100,6 @@ struct SlurmOptions {
   int at_once = 0;                        // maximum number of running tasks; 0: decided by Slurm
   double poll_s = 10.0;                   // between queries of the queue; shorter at the start
   double patience_s = 1800.0;             // how long Run waits for an unresponsive Slurm
-  double full_s = 30.0;                   // until a refused array is submitted again
   double latency_s = 30.0;  // until a file written by one machine is visible to another
 
   // Throws Error naming an invalid field.

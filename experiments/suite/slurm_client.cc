@@ -31,9 +31,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kRecord = "array.json";
-constexpr double kFirstContactS = 60.0;   // short, because Slurm may not be installed at all
-constexpr double kMaxDelayS = 60.0;       // between two retries
-constexpr double kCommandLimitS = 120.0;  // a command that hangs longer is killed
+constexpr double kMaxDelayS = 60.0;      // between two retries
+constexpr double kCommandLimitS = 60.0;  // a command that hangs longer is killed
 constexpr double kStopCheckIntervalS = 0.2;
 constexpr int kSignalBase = 128;  // what sh adds to a signal number
 
@@ -153,25 +152,23 @@ std::map<std::size_t, SlurmEnd> ReadSlurmEnds(const SlurmArray& array) {
 
 TaskEnd EndByCode(const Task& task, const SlurmEnd& end) {
   const int signal = end.code - kSignalBase;
-  if (end.code == 0) return {true, "", end.seconds};
+  if (end.code == 0) return {true, ""};
   if (task.limit_s > 0.0 && signal == SIGKILL && end.seconds >= task.limit_s) {
-    return {false, StrCat("stopped after ", task.limit_s, " s"), end.seconds};
+    return {false, StrCat("stopped after ", task.limit_s, " s")};
   }
   const char* name = signal > 0 ? ::sigabbrev_np(signal) : nullptr;
   const std::string text = name == nullptr
                                ? StrCat("exit code ", end.code)
                                : StrCat("killed by signal ", signal, " (SIG", name, ")");
-  return {false, text, end.seconds};
+  return {false, text};
 }
 
 TaskEnd EndByState(const SlurmArray& array, std::size_t number, const std::string& state) {
   std::ifstream out(array.folder / "out" / std::to_string(number));
   const std::string words = LastLine(out);  // of Slurm
-  return {
-      false,
-      StrCat(state.empty() ? "left Slurm's queue without an exit code" : "ended by Slurm: " + state,
-             words.empty() ? "" : StrCat(" (", words, ")")),
-      0.0};
+  return {false, StrCat(state.empty() ? "left Slurm's queue without an exit code"
+                                      : "ended by Slurm: " + state,
+                        words.empty() ? "" : StrCat(" (", words, ")"))};
 }
 
 bool SlurmTask::IsAlive() const {
@@ -187,43 +184,11 @@ double Since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-bool HasAny(const std::string& text, std::span<const char* const> parts) {
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const char* part) { return text.find(part) != std::string::npos; });
-}
-
-// Whether Slurm's controller is unreachable, slow or starting.
-bool IsUnreachable(const Captured& captured) {
-  static constexpr std::array<const char*, 6> kWords = {"contact slurm controller",
-                                                        "timed out",
-                                                        "Zero Bytes were transmitted",
-                                                        "standby mode",
-                                                        "connect failure",
-                                                        "Connection refused"};
-  return captured.exit_code > 128 || (captured.exit_code != 0 && HasAny(captured.err, kWords));
-}
-
-// Whether sbatch refuses an array for the number of tasks.
-bool IsFull(const Captured& captured) {
-  static constexpr std::array<const char*, 4> kWords = {"temporarily unable to accept job",
-                                                        "Resource temporarily unavailable",
-                                                        "MaxSubmitJob", "job submit limit"};
-  return HasAny(captured.err, kWords);
-}
-
 std::size_t ToCount(const std::string& text) {
   std::istringstream in(text);
   std::size_t count = 0;
   in >> count;
   return count;
-}
-
-// Returns the number behind `name` in the output of `scontrol show config`, if there is one.
-std::optional<std::size_t> ConfigCount(const std::string& config, const std::string& name) {
-  const std::size_t at = config.find(name);
-  if (at == std::string::npos) return std::nullopt;
-  const std::size_t number = config.find_first_not_of(" =", at + name.size());
-  return number == std::string::npos ? 0 : ToCount(config.substr(number, 20));
 }
 
 std::vector<std::string> SbatchCommand(const SlurmArray& array,
@@ -254,7 +219,7 @@ bool SlurmClient::Pause(double seconds) const {
   return false;
 }
 
-Captured SlurmClient::Ask(const std::vector<std::string>& argv, double patience_s) const {
+Captured SlurmClient::Ask(const std::vector<std::string>& argv) const {
   const Clock::time_point start = Clock::now();
   for (double delay_s = 1.0;; delay_s = std::min(2.0 * delay_s, kMaxDelayS)) {
     const Clock::time_point asked = Clock::now();
@@ -266,20 +231,11 @@ Captured SlurmClient::Ask(const std::vector<std::string>& argv, double patience_
     }
     const std::string words = StrCat(argv.front(), ": ", Complaint(captured));
     if (delay_s == 1.0) hooks_.notice(StrCat("slurm: ", words, ": retrying"));
-    const double left_s = patience_s - Since(start);
+    const double left_s = patience_s_ - Since(start);
     if (left_s <= 0.0 || !Pause(std::min(delay_s, left_s))) {
       throw SlurmUnreachable(StrCat("Slurm does not respond: ", words));
     }
   }
-}
-
-std::size_t SlurmClient::ArraySize() const {
-  const std::string config =
-      Ask({"scontrol", "show", "config"}, std::min(kFirstContactS, patience_s_)).out;
-  const std::size_t size = ConfigCount(config, "MaxArraySize").value_or(0);
-  const std::size_t most = std::min(size, ConfigCount(config, "max_array_tasks").value_or(size));
-  if (most == 0) ThrowError("slurm", "job arrays disabled", "MaxArraySize above 0");
-  return most;
 }
 
 SlurmQueue SlurmClient::Queue(const std::vector<std::string>& names) const {
@@ -287,8 +243,7 @@ SlurmQueue SlurmClient::Queue(const std::vector<std::string>& names) const {
   if (names.empty()) return queue;
   const Captured answer =
       Ask({"squeue", "--noheader", "--array", "--states=all", StrCat("--user=", ::geteuid()),
-           "--name=" + Joined(names, ","), "--format=%j|%F|%K|%T"},
-          patience_s_);
+           "--name=" + Joined(names, ","), "--format=%j|%F|%K|%T"});
   std::istringstream lines(answer.out);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream fields(line);
@@ -305,26 +260,15 @@ SlurmQueue SlurmClient::Queue(const std::vector<std::string>& names) const {
 
 SlurmSubmitted SlurmClient::Submit(const SlurmArray& array,
                                    const std::vector<std::string>& flags) const {
-  const std::vector<std::string> argv = SbatchCommand(array, flags);
-  const Clock::time_point start = Clock::now();
-  for (double delay_s = 1.0;; delay_s = std::min(2.0 * delay_s, kMaxDelayS)) {
-    const Clock::time_point asked = Clock::now();
-    // If the queue is full, sbatch itself would retry for minutes.
-    const Captured answer = Capture(argv, [&](const Captured& so_far) {
-      return IsFull(so_far) || Since(asked) > kCommandLimitS;
-    });
-    if (answer.exit_code == 0) return {answer.out.substr(0, answer.out.find_first_of(";\n")), ""};
-    const std::string words = Complaint(answer);  // "sbatch: error: ..."
-    const bool full = IsFull(answer);
-    if (!full && !IsUnreachable(answer)) return {"", words};
-    // The array may have been accepted even so, if only the answer was lost.
-    const SlurmQueue queue = Queue({array.name});
-    if (!queue.empty()) return {queue.begin()->second.job, ""};
-    if (full) return {"", words, true};
-    if (Since(start) > patience_s_ || !Pause(delay_s)) {
-      throw SlurmUnreachable(StrCat("Slurm does not respond: ", words));
-    }
-  }
+  // If the queue is full, sbatch itself would retry for minutes.
+  const Captured answer =
+      Capture(SbatchCommand(array, flags),
+              [start = Clock::now()](const Captured&) { return Since(start) > kCommandLimitS; });
+  if (answer.exit_code == 0) return {answer.out.substr(0, answer.out.find_first_of(";\n")), ""};
+  // The array may have been accepted even so, if only the answer was lost.
+  const SlurmQueue queue = Queue({array.name});
+  if (!queue.empty()) return {queue.begin()->second.job, ""};
+  return {"", Complaint(answer)};  // "sbatch: error: ..."
 }
 
 // That a task has ended meanwhile is no reason to try again.

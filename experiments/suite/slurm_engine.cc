@@ -24,6 +24,7 @@ using Seconds = std::chrono::duration<double>;
 constexpr double kStopTimeoutS = 15.0;  // for Slurm to end cancelled tasks
 constexpr double kStopPollS = 0.5;
 constexpr double kShortestPollS = 0.5;
+constexpr std::size_t kMostPerArray = 1000;  // Slurm's default limit
 constexpr double kPollFraction = 0.05;  // of the elapsed time, so that short suites need not wait
 
 // The state of one call of SlurmEngine::Run.
@@ -35,7 +36,6 @@ class SlurmRun {
   void RunToCompletion() {
     const Clock::time_point start = Clock::now();
     try {
-      array_size_ = most_at_once_ = client_.ArraySize();
       ResumeEarlierArrays();
       while (!hooks_.stop()) {
         SubmitWaiting();
@@ -110,29 +110,26 @@ class SlurmRun {
     std::sort(waiting_.begin(), waiting_.end());
   }
 
+  // Slurm may refuse an array for its size, or for the number of tasks of this or of all users: the
+  // rest waits until some of ours have ended.
   void SubmitWaiting() {
-    while (!waiting_.empty() && !hooks_.stop() && Clock::now() >= retry_at_) {
+    while (!waiting_.empty() && !hooks_.stop()) {
       if (options_.at_once > 0 && Open() > 0) return;  // Slurm applies this limit per array only
       const std::size_t count = std::min(waiting_.size(), most_at_once_);
       std::vector<Task> tasks;
       for (std::size_t i = 0; i < count; ++i) tasks.push_back(tasks_[waiting_[i]]);
       followed_.push_back({WriteSlurmArray(options_.folder, tasks)});
       Followed& followed = followed_.back();
-      const SlurmSubmitted submitted = client_.Submit(followed.array, Flags(tasks));
+      const SlurmSubmitted submitted = client_.Submit(followed.array, Flags(tasks.front(), count));
       if (submitted.job.empty()) {
         RemoveSlurmArray(followed.array);
         followed_.pop_back();
-        if (!submitted.full) throw Error(submitted.refused);
-        if (count > 1) {
-          most_at_once_ = count / 2;
-          continue;
-        }
-        most_at_once_ = array_size_;
-        retry_at_ =
-            Clock::now() + std::chrono::duration_cast<Clock::duration>(Seconds(options_.full_s));
-        ReportFull(submitted.refused);
+        most_at_once_ = std::max<std::size_t>(1, count / 2);
+        if (count > 1) continue;
+        if (Open() == 0) throw Error(submitted.refused);
         return;
       }
+      most_at_once_ = std::min(2 * count, kMostPerArray);
       followed.job = submitted.job;
       for (std::size_t number = 0; number < count; ++number) {
         followed.open.emplace(number, waiting_.front());
@@ -141,12 +138,6 @@ class SlurmRun {
       hooks_.notice(
           StrCat("slurm: job ", followed.job, ": ", Counted(count, "task"), " submitted"));
     }
-  }
-
-  void ReportFull(const std::string& refused) {
-    if (std::exchange(reported_full_, true)) return;
-    hooks_.notice(StrCat("slurm: accepts no more tasks at present (", refused,
-                         "): ", Counted(waiting_.size(), "task"), " not submitted yet"));
   }
 
   void Follow(const SlurmQueue& queue) {
@@ -183,7 +174,7 @@ class SlurmRun {
     const auto since = lost_.emplace(task, Clock::now()).first->second;
     if (by_itself && Seconds(Clock::now() - since).count() < options_.latency_s)
       return std::nullopt;
-    if (state == "COMPLETED") return TaskEnd{true, "", 0.0};
+    if (state == "COMPLETED") return TaskEnd{true, ""};
     return EndByState(followed.array, number, state);
   }
 
@@ -220,31 +211,21 @@ class SlurmRun {
     return names;
   }
 
-  // An array has one time limit and one memory limit: the largest of its tasks, or none if one of
-  // them has none. Its script applies the limit of each task.
-  std::vector<std::string> Flags(std::span<const Task> tasks) const {
-    const auto largest = [&](double Task::*limit) {
-      double most = 0.0;
-      for (const Task& task : tasks) {
-        if (task.*limit == 0.0) return 0.0;
-        most = std::max(most, task.*limit);
-      }
-      return most;
-    };
-    const double limit_s = largest(&Task::limit_s);
-    const double limit_mb = largest(&Task::limit_memory_mb);
+  // The limits are the same for all tasks of an array. Its script applies them, too.
+  std::vector<std::string> Flags(const Task& task, std::size_t count) const {
     std::vector<std::string> flags;
     // One minute more, because Slurm counts whole minutes and the script is meant to stop the task
     // first.
-    if (limit_s > 0.0) {
-      flags.push_back(StrCat("--time=", static_cast<std::int64_t>(std::ceil(limit_s / 60.0)) + 1));
+    if (task.limit_s > 0.0) {
+      flags.push_back(
+          StrCat("--time=", static_cast<std::int64_t>(std::ceil(task.limit_s / 60.0)) + 1));
     }
-    if (limit_mb > 0.0) {
-      const double mebibytes = limit_mb * 1e6 / 1048576.0;  // Slurm's megabytes
+    if (task.limit_memory_mb > 0.0) {
+      const double mebibytes = task.limit_memory_mb * 1e6 / 1048576.0;  // Slurm's megabytes
       flags.push_back(StrCat("--mem=", static_cast<std::int64_t>(std::ceil(mebibytes))));
     }
     flags.insert(flags.end(), options_.sbatch_flags.begin(), options_.sbatch_flags.end());
-    flags.push_back(StrCat("--array=0-", tasks.size() - 1));
+    flags.push_back(StrCat("--array=0-", count - 1));
     if (options_.at_once > 0) flags.back() += StrCat("%", options_.at_once);
     return flags;
   }
@@ -253,14 +234,11 @@ class SlurmRun {
   std::span<const Task> tasks_;
   const EngineHooks& hooks_;
   SlurmClient client_;
-  std::size_t array_size_ = 0;
   std::vector<Followed> followed_;
   std::deque<std::size_t> waiting_;  // tasks not submitted yet
   // Tasks that left the queue without an end file: since when.
   std::map<std::size_t, Clock::time_point> lost_;
-  std::size_t most_at_once_ = 0;  // tasks per array: halved while Slurm refuses them
-  Clock::time_point retry_at_{};  // when Slurm refused even one task
-  bool reported_full_ = false;
+  std::size_t most_at_once_ = kMostPerArray;  // tasks per array: halved while Slurm refuses them
 };
 
 }  // namespace

@@ -16,27 +16,14 @@
 
 namespace cvo {
 
-// A neural network that detects a sequence's boxes (clustervo detect). Its files are below the data
-// folder.
-struct SuiteDetector {
-  std::string model;  // empty: none
-  std::string weights;
-  std::string names;
-  std::string input;  // "WIDTHxHEIGHT"
-  std::optional<double> min_score;
-  std::optional<double> max_overlap;
-};
-
 // One sequence of a suite, as written in the suite file: a scene to render, or a folder of images.
 // `folder` and `labels_file` are below the suite's data folder; RequestOf completes the rest.
 struct SuiteSequence : SequenceRequest {
   std::string scene;   // shipped name or scene file; empty: a folder
   std::string name;    // for rows; default: the last component of the scene's or folder's path
   std::string frames;  // "A:B"; empty: all
-  // Level of the scene's detector, "labels", a file below the data folder, or empty for none. With
-  // `detector`: the name of that detector.
+  // Level of the scene's detector, "labels", a file below the data folder, or empty for none.
   std::string detections;
-  SuiteDetector detector;
   std::vector<std::string> classes;  // of detections to use; empty: RigidClasses()
   Json perturb = Json::object();     // applied to its images and calibration (Perturbation)
 };
@@ -173,8 +160,7 @@ std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
 std::vector<PlanJob> ExpandSuite(const Suite& suite);
 
 // Returns the request that opens the job's sequence, which is in `job.folder`. Files of boxes and
-// labels are below `data`, except `job.boxes`, which a detector wrote (empty: open the sequence
-// without them).
+// labels are below `data`.
 SequenceRequest RequestOf(const Suite& suite, const PlanJob& job,
                           const std::filesystem::path& data);
 

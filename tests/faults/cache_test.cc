@@ -31,7 +31,7 @@ class FolderFaults : public testing::Test {
                   "{\"name\": \"small\", \"sequences\": [{\"scene\": \"tiny\", \"frames\": "
                   "\"0:2\", \"detections\": \"good\"}], \"variants\": [\"static\"], \"seeds\": 1, "
                   "\"table\": {\"rows\": [\"variant\"], \"metrics\": [\"camera_ate\"]}}");
-    const ProcessResult run = Suite("run");
+    const ProcessResult run = Suite();
     if (run.err.find("no OSMesa") != std::string::npos) GTEST_SKIP() << run.err;
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const fs::path plan = folder_.path() / "out" / "plan.json";
@@ -44,9 +44,9 @@ class FolderFaults : public testing::Test {
         arguments,
         {.environment = {StrCat("CLUSTERVO_CACHE=", (folder_.path() / "cache").string())}});
   }
-  ProcessResult Suite(const std::string& command) const {
-    return Program({"experiment", command, (folder_.path() / "suite.json").string(), "-o",
-                    (folder_.path() / "out").string(), "-q"});
+  ProcessResult Suite(const std::string& flag = "-q") const {
+    return Program({"experiment", "run", (folder_.path() / "suite.json").string(), "-o",
+                    (folder_.path() / "out").string(), flag});
   }
   // Overwrites a file and restores its modification time.
   static void Damage(const fs::path& file, const std::string& bytes) {
@@ -102,11 +102,11 @@ TEST_F(FolderFaults, ARunRendersADamagedSceneAgain) {
   for (const char* name : {"poses.txt", "image_0/000000.png", "instance_0/000001.png"}) Flip(name);
   fs::resize_file(scene_ / "manifest.json", 300);
   fs::remove(scene_ / "times.txt");
-  EXPECT_THAT(Suite("status").out, HasSubstr("scenes to render: 1"));
+  EXPECT_THAT(Suite("--dry-run").out, HasSubstr("scenes to render: 1"));
   const ProcessResult job = Program({"experiment", "job", (folder_.path() / "out").string(), job_});
   EXPECT_EQ(job.exit_code, 1) << job.err;
   EXPECT_EQ(test::LineCount(job.err), 1U) << job.err;
-  const ProcessResult run = Suite("run");
+  const ProcessResult run = Suite();
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.err, HasSubstr("a cached scene is damaged and will be rendered again:  "));
   EXPECT_TRUE(Files() == before);
@@ -126,7 +126,6 @@ TEST_F(FolderFaults, DamageOutsideTheCacheIsRefused) {
       Program({"run", copy.string(), "-o", out, "-q", "--frames", "0:1", "--force"}).exit_code, 0);
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"run", copy.string(), "-o", out, "-q"},
-        {"run", copy.string(), "-o", out, "-q", "--cache"},
         {"eval", "trajectory", "--sequence", copy.string(), "--estimate", out + "/camera.tum"}}) {
     const ProcessResult result = Program(arguments);
     EXPECT_EQ(result.exit_code, 1) << arguments[0];

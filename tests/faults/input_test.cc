@@ -82,7 +82,6 @@ TEST_F(InputFaults, InternalErrors) {
     for (const Arguments& reads : {Arguments{"run", path, "-o", out()},
                                    {"info", path},
                                    {"experiment", "run", path, "-o", out()},
-                                   {"experiment", "status", path},
                                    {"experiment", "table", path},
                                    {"report", path},
                                    {"overlay", path, "-o", out()},
@@ -92,10 +91,11 @@ TEST_F(InputFaults, InternalErrors) {
                                    RunWall({"--config", path})}) {
       ExpectOneLine(reads, AnyOf(1, 2), "");
     }
-    for (const Arguments& writes : {Arguments{"run", wall(), "-o", path, "-q"},
-                                    {"experiment", "run", "ci", "-o", path},
-                                    {"synth", "preview", "tiny", "-o", path + "/sheet.png"},
-                                    {"synth", "render", "tiny", "-o", path, "-q"}}) {
+    for (const Arguments& writes :
+         {Arguments{"run", wall(), "-o", path, "-q"},
+          {"experiment", "run", "ci", "-o", path},
+          {"synth", "render", "tiny", "-o", path + "/sheet.png", "--preview"},
+          {"synth", "render", "tiny", "-o", path, "-q"}}) {
       ExpectOneLine(writes, 2, "");
     }
   }
@@ -181,7 +181,7 @@ TEST_F(InputFaults, Terminal) {
                                      RunWall({"--set", odd + "=1"}),
                                      RunWall({"--config", At(odd + ".json")}),
                                      {"experiment", "run", suite, "-o", out()},
-                                     {"experiment", "status", folder.string()}}) {
+                                     {"experiment", "table", folder.string()}}) {
     const ProcessResult result = Run(arguments);
     for (const std::string& printed : {result.out, result.err}) {
       for (const char* bad : {"\x1b", "\xc2\x9b", "\xe2\x80\xae"}) {

@@ -20,7 +20,6 @@ class SuiteFaults : public test::FaultFolder {
   // Expects all commands that read results to reject the first run.
   void ExpectNoRun(const std::string& case_name) const {
     for (const Arguments& arguments : {Arguments{"experiment", "table", out()},
-                                       {"experiment", "status", out()},
                                        {"check", out(), "--baseline", At("baseline.json")}}) {
       const ProcessResult result = Run(arguments);
       EXPECT_EQ(result.exit_code, 1) << case_name << ": " << arguments[1] << result.out;
@@ -98,8 +97,8 @@ TEST_F(SuiteFaults, Size) {
       json[key] = value;
       return json.dump();
     }());
-    ExpectOneLine({"experiment", "status", suite, "-o", out(), "--data", At("data")}, AnyOf(1, 2),
-                  "expected");
+    ExpectOneLine({"experiment", "run", suite, "-o", out(), "--data", At("data"), "--dry-run"},
+                  AnyOf(1, 2), "expected");
   }
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -16,7 +15,6 @@
 #include "experiments/cli/reports/reports.h"
 #include "experiments/runner/given.h"
 #include "experiments/runner/run_job.h"
-#include "reports/chart/chart.h"
 #include "reports/runs/body_story.h"
 
 namespace cvo {
@@ -27,7 +25,6 @@ namespace fs = std::filesystem;
 struct ExplainFlags {
   std::string run;
   std::string body;
-  std::string output;
   std::string sequence;
 };
 
@@ -120,38 +117,6 @@ void PrintBodies(const ExplainedRun& read) {
   table.Print(std::cout);
 }
 
-// The position error over the frames, with the failed stages at the bottom.
-reports::Chart ErrorChart(const std::string& title, const reports::BodyStory& story) {
-  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-  reports::Panel panel;
-  panel.title = title;
-  panel.x.title = "frame";
-  panel.y.title = "position error (cm)";
-  panel.y.from_zero = true;
-  panel.rules.push_back({100.0 * reports::kGoodError_m, false, "10 cm"});
-  reports::Series error;
-  error.name = story.body.name;
-  for (const reports::BodyFrame& frame : story.frames) {
-    error.data.push_back({1.0 * frame.frame, frame.error_m ? 100.0 * *frame.error_m : kGap});
-  }
-  panel.series.push_back(std::move(error));
-  int colour = 2;
-  for (const reports::BodyStage stage : reports::kWrongStages) {
-    if (story.Count(stage) == 0) continue;
-    reports::Series failed;
-    failed.kind = reports::SeriesKind::kPoints;
-    failed.name = reports::StageName(stage);
-    failed.look = {colour++, reports::Symbol::kSquare};
-    for (const reports::BodyFrame& frame : story.frames) {
-      if (frame.stage == stage) failed.data.push_back({1.0 * frame.frame, 0.0});
-    }
-    panel.series.push_back(std::move(failed));
-  }
-  reports::Chart chart;
-  chart.panels.push_back(std::move(panel));
-  return chart;
-}
-
 int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
   const reports::BodyDetail& body = FindBodyNamed(flags.body, read.run.detail.bodies);
   const reports::BodyStory story = read.Story(body);
@@ -162,20 +127,10 @@ int ExplainBody(const ExplainFlags& flags, const ExplainedRun& read) {
     table.Add({row.frames, row.stage, row.error_cm, row.detected, row.landmarks});
   }
   table.Print(std::cout);
-  if (flags.output.empty()) return 0;
-  const std::string title = StrCat(read.run.sequence.name, ", ", read.run.variant, ": ", body.name);
-  WriteOutputFile(flags.output, reports::ChartSvg(ErrorChart(title, story)), {flags.run});
-  std::cout << "\nwritten: " << flags.output << '\n';
   return 0;
 }
 
 int Explain(const ExplainFlags& flags) {
-  if (!flags.output.empty()) {
-    if (fs::path(flags.output).extension() != ".svg") {
-      throw UsageError(StrCat("-o ", flags.output, ": expected a name that ends in .svg"));
-    }
-    CheckOutputFile(flags.output, {flags.run});
-  }
   const ExplainedRun read = ReadExplained(flags);
   if (!flags.body.empty()) return ExplainBody(flags, read);
   PrintBodies(read);
@@ -192,11 +147,7 @@ Command AddExplainCommand(CLI::App& program) {
   const auto flags = std::make_shared<ExplainFlags>();
   const FlagAdder add{*app};
   add("RUN", flags->run, "", "output folder of clustervo run --landmarks")->required();
-  CLI::Option* body = add("BODY", flags->body, "",
-                          "name or number of a ground-truth body; default: list all bodies");
-  add("-o,--output", flags->output, "FILE",
-      "also write a chart (SVG) of the position error over the frames, with the failed stages")
-      ->needs(body);
+  add("BODY", flags->body, "", "name or number of a ground-truth body; default: list all bodies");
   add("--sequence", flags->sequence, "FOLDER", "folder of the images, if they have moved since");
   app->footer(
       "Stages: detection missing, no landmarks, label wrong, merged into another body, not "
@@ -204,7 +155,7 @@ Command AddExplainCommand(CLI::App& program) {
       "landmarks are right).\nIn every judged frame, the first stage that applies is counted.\n"
       "Examples:\n"
       "  clustervo explain results/indoor_1\n"
-      "  clustervo explain results/indoor_1 ball_1 -o ball_1.svg");
+      "  clustervo explain results/indoor_1 ball_1");
   return {app, [flags] { return Explain(*flags); }};
 }
 

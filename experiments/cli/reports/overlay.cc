@@ -8,7 +8,6 @@
 #include <memory>
 #include <opencv2/core.hpp>
 #include <optional>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -18,6 +17,7 @@
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/runner/given.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/overlay_run.h"
 #include "reports/overlays/picture_files.h"
@@ -34,39 +34,29 @@ bool HasFrame(const reports::OverlayRun& run, int frame) {
                      [frame](const reports::CameraFrame& entry) { return entry.frame == frame; });
 }
 
-void CheckName(const reports::SuitePlan& plan, const std::string& key, const std::string& name) {
-  std::vector<std::string> known;
-  for (const reports::PlannedRun& run : plan.runs) AddOnce(reports::KeyOf(run, key), known);
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  ThrowError(StrCat(plan.file.string(), ", ", key), StrCat("no \"", name, "\""),
-             OneOfKnown(name, known));
-}
-
 // Returns the folder of the first run in the plan that is selected, with this variant.
 std::string FolderOf(const reports::SuitePlan& plan, const OverlayFlags& flags,
                      const std::string& variant) {
-  const std::string what = StrCat(flags.sequence, ", ", variant);
+  const std::string wanted = StrCat(flags.sequence, ", ", variant);
+  std::vector<std::string> known;
   for (const reports::PlannedRun& run : plan.runs) {
-    if (reports::KeyOf(run, "sequence") != flags.sequence) continue;
-    if (!run.system.empty() || reports::KeyOf(run, "variant") != variant) continue;
-    if (flags.seed && run.seed != *flags.seed) continue;
-    if (run.job.empty()) ThrowError(what, run.missing, "a sequence that exists");
-    const fs::path folder = fs::path(flags.suite) / "jobs" / run.job;
-    if (fs::exists(folder / "result.json")) return folder.string();
-    ThrowError(folder.string(), "no result", StrCat("that of ", what, ", seed ", run.seed));
+    const std::string& sequence = run.keys.at("sequence");
+    AddOnce(StrCat(sequence, ", ", run.keys.at("variant")), known);
+    if (sequence != flags.sequence || run.keys.at("variant") != variant) continue;
+    if (!run.system.empty() || (flags.seed && run.seed != *flags.seed)) continue;
+    if (run.job.empty()) ThrowError(wanted, run.missing, "a sequence that exists");
+    return (fs::path(flags.suite) / "jobs" / run.job).string();
   }
   ThrowError(plan.file.string(),
-             StrCat("no run of ", what, flags.seed ? StrCat(", seed ", *flags.seed) : ""), "one");
+             StrCat("no run of ", wanted, flags.seed ? StrCat(", seed ", *flags.seed) : ""),
+             OneOfKnown(wanted, known));
 }
 
 // Returns the folders of the selected runs of a suite, in the order of the variants.
 std::vector<std::string> SuiteRunFolders(const OverlayFlags& flags) {
   const reports::SuitePlan plan = reports::ReadPlan(fs::path(flags.suite) / "plan.json");
-  CheckName(plan, "sequence", flags.sequence);
   std::vector<std::string> folders;
-  std::istringstream variants(flags.variants + ",");
-  for (std::string variant; std::getline(variants, variant, ',');) {
-    CheckName(plan, "variant", variant);
+  for (const std::string& variant : AtCommas(flags.variants)) {
     folders.push_back(FolderOf(plan, flags, variant));
   }
   return folders;
@@ -200,8 +190,7 @@ cv::Mat OverlayWriter::Draw(const cv::Mat& image, int frame, int width_px) const
 void OverlayWriter::WriteFrame(int frame, const fs::path& folder) {
   cv::Mat image = images_->Left(frame);
   if (image.empty()) image = cv::Mat::zeros(camera_.height_px, camera_.width_px, CV_8UC1);
-  const int width_px = std::max(1, static_cast<int>(std::lround(flags_.scale * camera_.width_px)));
-  const cv::Mat picture = Draw(image, frame, width_px);
+  const cv::Mat picture = Draw(image, frame, camera_.width_px);
   if (!flags_.no_images) {
     WriteFilesAtomically(folder, {{ImageName(frame), reports::PngBytes(picture)}});
   }
@@ -297,8 +286,6 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
   add("--frames", flags.frames, "A:B", "frames A to B-1 as numbered in the sequence; default: all")
       ->excludes(frame);
   add("--every", flags.every, "K", "draw every K-th frame; default: 1")->check(Within(1, 1000000));
-  add("--scale", flags.scale, "S", "scale of the drawing relative to the image; default: 1")
-      ->check(Within(0.1, 4.0));
   add("--labels", flags.labels, "NAME",
       "label that colours the landmarks: cluster (the cluster they belong to) or inferred (the "
       "label inferred from the energy terms in the frame, drawn without 3D boxes); default: "

@@ -56,7 +56,6 @@ struct OverlayFlags {
   int frame = -1;
   std::string frames = {};
   int every = 1;
-  double scale = 1.0;
   std::string labels = {};
   bool sheet = false;
   bool video = false;

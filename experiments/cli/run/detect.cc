@@ -9,7 +9,6 @@
 #include "core/base/error.h"
 #include "core/files/images/image_file.h"
 #include "core/files/json/json_record.h"
-#include "core/files/sha256.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
@@ -25,7 +24,6 @@ struct DetectFlags {
   DetectorOptions options;
   std::string input;
   std::string output;
-  bool checksum = false;
   int threads = 1;
 };
 
@@ -103,11 +101,6 @@ int DetectBoxes(DetectFlags& flags) {
   cv::setNumThreads(flags.threads);
   DetectorModel model(flags.files);
   const Outcome outcome = DetectAll(sequence, model, flags.options);
-  if (flags.checksum) {
-    const std::string name = std::filesystem::path(flags.output).filename().string();
-    WriteOutputFile(flags.output + kChecksumSuffix,
-                    StrCat(Sha256Hex(outcome.rows), "  ", name, "\n"), read);
-  }
   WriteOutputFile(flags.output, outcome.rows, read);
   const std::size_t frames = sequence.images.size() - outcome.images_skipped;
   std::cout << sequence.name << ": " << outcome.boxes << " boxes in " << frames << " frames";
@@ -150,7 +143,6 @@ Command AddDetectCommand(CLI::App& program) {
       ->capture_default_str();
   add("-o,--output", flags->output, "FILE", "file to write, in KITTI tracking's format")
       ->required();
-  app->add_flag("--checksum", flags->checksum, "also write FILE.sha256");
   app->footer(
       "COCO's classes are written as KITTI's (car: Car, person: Pedestrian). No network is "
       "included;\nexperiments/README.md says where to download one.\n"

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo eval trajectory and eval clock: trajectories of any system against a file or a
-// sequence.
+// clustervo eval trajectory: trajectories of any system against a file or a sequence.
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -13,9 +12,9 @@
 #include "core/files/json/json.h"
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
+#include "experiments/cli/reports/reports.h"
 #include "experiments/cli/run/run.h"
 #include "experiments/metrics/camera_metrics.h"
-#include "experiments/metrics/clock_offset.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
@@ -27,13 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Flags of eval trajectory and, up to `sequence`, of eval clock.
 struct TrajectoryFlags {
   std::string groundtruth;
   std::string estimate;
   bool json = false;
   SequenceFlags sequence;  // scored against its own truth; without a folder: two files
-  double most_s = 1.0;     // of the clock offset
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   std::string objects;
   std::string name;
@@ -41,80 +38,34 @@ struct TrajectoryFlags {
   double right_shift_px = 0.0;
 };
 
-// True and estimated poses, one each per pose of the ground truth.
-struct PairedPoses {
-  std::vector<std::optional<RigidTransform>> truth;
-  std::vector<std::optional<RigidTransform>> estimate;
-  std::size_t matched = 0;
-  std::size_t unmatched_truth = 0;
-  std::size_t unmatched_estimate = 0;
-};
-
-std::string FormatOfBoth(const TrajectoryFlags& flags) {
-  const std::string truth = DetectPoseFormat(flags.groundtruth);
-  const std::string estimate = DetectPoseFormat(flags.estimate);
-  if (truth != estimate) {
-    ThrowError(flags.estimate, "a trajectory in " + estimate + " format",
-               truth + " as in " + flags.groundtruth);
-  }
-  return truth;
-}
-
-PairedPoses PairTum(const TrajectoryFlags& flags) {
-  const Trajectory truth = ReadTumTrajectory(flags.groundtruth);
-  const Trajectory estimate = ReadTumTrajectory(flags.estimate);
-  const auto tolerance_ns =
-      static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s));
-  const TimeAssociation association = AssociateByTime(truth, estimate, tolerance_ns);
-  PairedPoses poses;
-  for (const TimedPose& pose : truth) poses.truth.emplace_back(pose.world_from_camera);
-  poses.estimate = PosesAtFrames(association, truth.size(), estimate);
-  poses.matched = association.pairs.size();
-  poses.unmatched_truth = association.unmatched_a;
-  poses.unmatched_estimate = association.unmatched_b;
-  return poses;
-}
-
-PairedPoses PairKitti(const TrajectoryFlags& flags) {
-  const std::vector<RigidTransform> truth = ReadKittiPoses(flags.groundtruth);
-  const std::vector<RigidTransform> estimate = ReadKittiPoses(flags.estimate);
-  if (truth.size() != estimate.size()) {
-    ThrowError(flags.estimate, StrCat(estimate.size(), " poses"),
-               StrCat(truth.size(), ", one per line of ", flags.groundtruth,
-                      " (KITTI files have no times to match by)"));
-  }
-  PairedPoses poses;
-  poses.truth.assign(truth.begin(), truth.end());
-  poses.estimate.assign(estimate.begin(), estimate.end());
-  poses.matched = truth.size();
-  return poses;
-}
-
 int EvaluateFiles(const TrajectoryFlags& flags) {
-  const PairedPoses poses = FormatOfBoth(flags) == "tum" ? PairTum(flags) : PairKitti(flags);
-  if (poses.matched < 2) {
-    ThrowError(flags.estimate, StrCat(poses.matched, " poses that match one of the truth"),
+  std::vector<PlotInput> inputs = {ReadPlotInput(flags.groundtruth), ReadPlotInput(flags.estimate)};
+  MakeComparable(inputs);
+  const Trajectory& truth = inputs[0].poses;
+  const Trajectory& estimate = inputs[1].poses;
+  const TimeAssociation association = AssociateByTime(
+      truth, estimate, static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s)));
+  const std::size_t matched = association.pairs.size();
+  if (matched < 2) {
+    ThrowError(flags.estimate, StrCat(matched, " poses that match one of the truth"),
                StrCat("2 or more within ", flags.max_time_difference_s, " s"));
   }
-  if (poses.matched < poses.unmatched_estimate) {
-    PrintNotice(StrCat("note: only ", poses.matched, " of ",
-                       poses.matched + poses.unmatched_estimate, " poses of ", flags.estimate,
-                       " match one of the truth within ", flags.max_time_difference_s, " s"));
-  }
-  std::vector<Metric> metrics =
-      EvaluateCamera(poses.truth, poses.estimate, reports::TruthSource::kFile);
+  OptionalPoses true_poses;
+  for (const TimedPose& pose : truth) true_poses.emplace_back(pose.world_from_camera);
+  std::vector<Metric> metrics = EvaluateCamera(
+      true_poses, PosesAtFrames(association, truth.size(), estimate), reports::TruthSource::kFile);
   StatePoses(reports::PoseTime::kFile, 0.0, metrics);
   if (flags.json) {
     std::cout << DumpJson({{"schema_version", 2},
                            {"kind", "evaluation"},
-                           {"matched", poses.matched},
-                           {"unmatched_groundtruth", poses.unmatched_truth},
-                           {"unmatched_estimate", poses.unmatched_estimate},
+                           {"matched", matched},
+                           {"unmatched_groundtruth", association.unmatched_a},
+                           {"unmatched_estimate", association.unmatched_b},
                            {"metrics", ToJson(metrics)}});
     return 0;
   }
-  std::cout << poses.matched << " poses matched, unmatched: " << poses.unmatched_truth
-            << " of the ground truth, " << poses.unmatched_estimate << " of the estimate\n\n";
+  std::cout << matched << " poses matched, unmatched: " << association.unmatched_a
+            << " of the ground truth, " << association.unmatched_b << " of the estimate\n\n";
   PrintMetrics(metrics, std::cout);
   return 0;
 }
@@ -166,12 +117,12 @@ int EvaluateSequence(const TrajectoryFlags& flags) {
     read.insert(read.end(), {estimate, flags.objects});
     output.reset(new OutputFolder(OpenOutput(flags.output, {kResult}, read)));
   }
-  RequireAsRendered(sequence, {});
+  RequireAsRendered(sequence);
   const std::string name = flags.name.empty() ? fs::path(estimate).stem().string() : flags.name;
   SystemRequest request{sequence, "", {name, estimate, flags.objects}, 0, flags.right_shift_px};
   if (flags.json || output) {
     ReadSystem(sequence, request.files);  // reports bad files before the images are hashed
-    request.content = ContentHash(sequence, FileHashes().OfImages(sequence));
+    request.content = ContentHash(sequence, HashImages(sequence));
   }
   const SystemOutcome outcome = ScoreSystem(request);
   if (output) WriteFilesAtomically(output->path(), {{kResult, outcome.result}});
@@ -181,53 +132,6 @@ int EvaluateSequence(const TrajectoryFlags& flags) {
     PrintOutcome(sequence, flags, outcome);
   }
   return 0;
-}
-
-Trajectory ReadTimed(const std::string& path) {
-  if (DetectPoseFormat(path) != "tum") {
-    ThrowError(path, "a trajectory in kitti format", "tum: clocks are compared by times");
-  }
-  return ReadTumTrajectory(path);
-}
-
-Trajectory AtFrames(const OptionalPoses& poses, const Sequence& sequence) {
-  Trajectory trajectory;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (poses[i]) trajectory.push_back({sequence.timestamps_ns[i], *poses[i]});
-  }
-  return trajectory;
-}
-
-int Print(const ClockOffset& clock, bool json) {
-  if (json) {
-    std::cout << DumpJson(
-        {{"schema_version", 1}, {"kind", "clock offset"}, {"clock", ToJson(clock)}});
-    return 0;
-  }
-  std::cout << "clock offset (ground truth minus estimate): " << (clock.offset_s > 0.0 ? "+" : "")
-            << FormatFixed(clock.offset_s, 5) << " s, standard deviation "
-            << FormatFixed(clock.deviation_s, 5) << " s\n"
-            << "rotation rates of " << clock.pairs
-            << " pairs of consecutive poses: " << FormatFixed(100.0 * clock.explained, 1)
-            << " % explained, residual " << FormatFixed(clock.residual_rad_per_s, 5) << " rad/s\n";
-  return 0;
-}
-
-int EstimateClock(const TrajectoryFlags& flags) {
-  if (flags.sequence.folder.empty()) {
-    return Print(
-        EstimateClockOffset(ReadTimed(flags.groundtruth), ReadTimed(flags.estimate), flags.most_s),
-        flags.json);
-  }
-  const Sequence sequence = OpenSequence(flags.sequence.Request());
-  const Trajectory truth = sequence.truth_track.empty()
-                               ? AtFrames(sequence.groundtruth_world_from_camera, sequence)
-                               : sequence.truth_track;
-  if (truth.empty()) ThrowError(sequence.folder.string(), "no ground truth of the camera", "one");
-  const SystemEstimate system = ReadSystem(sequence, {"", flags.estimate, ""});
-  return Print(EstimateClockOffset(truth, AtFrames(system.objects.world_from_camera, sequence),
-                                   flags.most_s),
-               flags.json);
 }
 
 // Flags that have a meaning only with a sequence, or only with two files.
@@ -249,22 +153,18 @@ void CheckUsage(const CLI::App& app, const TrajectoryFlags& flags) {
   RefuseFlags(app, kOfSequence, "needs --sequence");
 }
 
-void AddInputs(CLI::App& app, TrajectoryFlags& flags) {
-  const FlagAdder add{app};
-  add("--groundtruth", flags.groundtruth, "FILE", "trajectory file with the ground truth");
-  add("--estimate", flags.estimate, "FILE", "trajectory file")->required();
-  add("--sequence", flags.sequence.folder, "FOLDER",
-      "use the ground truth of this sequence instead of a file");
-  app.add_flag("--json", flags.json, "print JSON, with the contract of each metric");
-  flags.sequence.AddTruthTo(app);
-}
-
 Command AddTrajectoryCommand(CLI::App& eval) {
   CLI::App* app = eval.add_subcommand(
       "trajectory", "Score a trajectory file, or the results of another system on a sequence");
   const auto flags = std::make_shared<TrajectoryFlags>();
   const FlagAdder add{*app};
-  AddInputs(*app, *flags);
+  add("--groundtruth", flags->groundtruth, "FILE",
+      "ground truth: a file in the format of TUM, KITTI or EuRoC");
+  add("--estimate", flags->estimate, "FILE", "trajectory file")->required();
+  add("--sequence", flags->sequence.folder, "FOLDER",
+      "use the ground truth of this sequence instead of a file");
+  app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
+  flags->sequence.AddTruthTo(*app);
   add("--max-time-difference", flags->max_time_difference_s, "SECONDS",
       "maximum time difference of matching TUM poses")
       ->check(Within(0.0, 1e6))
@@ -295,27 +195,11 @@ Command AddTrajectoryCommand(CLI::App& eval) {
           }};
 }
 
-Command AddClockCommand(CLI::App& eval) {
-  CLI::App* app = eval.add_subcommand("clock",
-                                      "Estimate from rotation rates how far the clock of the "
-                                      "ground truth is ahead of an estimate's");
-  const FlagAdder add{*app};
-  const auto flags = std::make_shared<TrajectoryFlags>();
-  AddInputs(*app, *flags);
-  add("--within", flags->most_s, "SECONDS", "search from -SECONDS to SECONDS (0.01 to 10)")
-      ->check(Within(0.01, kMostClockOffset_s))
-      ->capture_default_str();
-  app->final_callback([app, flags] { CheckUsage(*app, *flags); });
-  return {app, [flags] { return EstimateClock(*flags); }};
-}
-
 }  // namespace
 
 Command AddEvalCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "eval", "Score trajectories or boxes, or compare clocks, of any system");
-  return Group(*app,
-               {AddTrajectoryCommand(*app), AddEvalBoxesCommand(*app), AddClockCommand(*app)});
+  CLI::App* app = program.add_subcommand("eval", "Score trajectories or boxes of any system");
+  return Group(*app, {AddTrajectoryCommand(*app), AddEvalBoxesCommand(*app)});
 }
 
 }  // namespace cvo

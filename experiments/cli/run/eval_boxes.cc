@@ -25,19 +25,11 @@ struct BoxFlags {
   std::string category = "Car";
   std::optional<double> least_overlap;  // default: the benchmark's for the class
   std::string truncation = "applied";
-  bool json = false;
 };
 
-// What is printed as JSON.
 struct ApOfSpace {
   ApProtocol contract;
   std::vector<AveragePrecision> levels;
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("contract", self.contract);
-    archive.Field("levels", self.levels);
-  }
 };
 
 // The overlap is used as the similarity.
@@ -46,14 +38,6 @@ struct TrackingOfSpace {
   HotaScores hota;
   ClearScores clear;
   IdentityScores identity;
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("overlap", self.overlap);
-    archive.Field("hota", self.hota);
-    archive.Field("clear", self.clear);
-    archive.Field("identity", self.identity);
-  }
 };
 
 // If there is no 3D box at all, the boxes come from a 2D detector and are only scored in the image.
@@ -132,40 +116,20 @@ void Print(const std::vector<TrackingOfSpace>& all, std::ostream& out) {
   table.Print(out);
 }
 
-std::size_t CountDetections(const std::vector<ApFrame>& frames) {
-  std::size_t count = 0;
-  for (const ApFrame& frame : frames) count += frame.detections.size();
-  return count;
-}
-
-template <typename Scores>
-void Print(const char* kind, const char* key, const std::vector<ApFrame>& frames,
-           const std::vector<Scores>& scores, bool json) {
-  if (json) {
-    std::cout << DumpJson({{"schema_version", 1},
-                           {"kind", kind},
-                           {"frames", frames.size()},
-                           {"detections", CountDetections(frames)},
-                           {key, ToJson(scores)}});
-    return;
-  }
-  std::cout << frames.size() << " frames, " << CountDetections(frames)
-            << " detections of all classes\n";
-  Print(scores, std::cout);
-}
-
 int EvaluateBoxes(const BoxFlags& flags) {
   const FrameRange range = flags.frames.empty() ? FrameRange() : ParseFrameRange(flags.frames);
   const std::vector<ApFrame> frames = ReadApFrames(flags.labels, flags.estimate, range);
-  if (flags.score == "ap") {
-    Print("average precision", "average_precision", frames, AveragePrecisions(flags, frames),
-          flags.json);
-    return 0;
-  }
-  if (std::filesystem::is_directory(flags.labels)) {
+  std::size_t detections = 0;
+  for (const ApFrame& frame : frames) detections += frame.detections.size();
+  if (flags.score == "tracking" && std::filesystem::is_directory(flags.labels)) {
     ThrowError(flags.labels, "a folder", "a file of KITTI tracking: object files have no tracks");
   }
-  Print("tracking scores", "tracking", frames, TrackingScores(flags, frames), flags.json);
+  std::cout << frames.size() << " frames, " << detections << " detections of all classes\n";
+  if (flags.score == "ap") {
+    Print(AveragePrecisions(flags, frames), std::cout);
+  } else {
+    Print(TrackingScores(flags, frames), std::cout);
+  }
   return 0;
 }
 
@@ -199,7 +163,6 @@ Command AddEvalBoxesCommand(CLI::App& eval) {
       "tracking files that is every label with truncation 1 or 2) or ignored (no limit)")
       ->check(OneOf({"applied", "ignored"}))
       ->capture_default_str();
-  app->add_flag("--json", flags->json, "print JSON, with the contract");
   app->footer(
       "Example:\n"
       "  clustervo eval boxes --labels label_02/0003.txt --estimate tracks.kitti --iou 0.25");

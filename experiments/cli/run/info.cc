@@ -90,7 +90,8 @@ namespace fs = std::filesystem;
 
 struct InfoFlags {
   SequenceFlags sequence;
-  bool json = false;
+  std::string output;  // of the import
+  bool quiet = false;
 };
 
 struct Rate {
@@ -125,19 +126,8 @@ std::vector<std::string> Warnings(const Sequence& sequence, const std::optional<
   return lines;
 }
 
-// The detector levels of a rendered scene, one of which --detections may name.
-std::vector<std::string> LevelsOf(const Sequence& sequence) {
-  std::vector<std::string> levels;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(sequence.folder / "detections", none)) {
-    if (entry.path().extension() == ".txt") levels.push_back(entry.path().stem().string());
-  }
-  std::sort(levels.begin(), levels.end());
-  return levels;
-}
-
 std::string DetectionsText(const Sequence& sequence) {
-  const std::vector<std::string> levels = LevelsOf(sequence);
+  const std::vector<std::string> levels = DetectorLevels(sequence.folder);
   return StrCat(sequence.detections.size(), " boxes",
                 levels.empty() ? "" : "; --detections has " + Joined(levels, ", "));
 }
@@ -163,40 +153,6 @@ std::string RowsText(const PairCheck& pair) {
   return StrCat(ReadableNumber(pair.row_error_px), " px (median of ", pair.matches,
                 " matches in frame ", pair.frame, "); median disparity ",
                 ReadableNumber(pair.disparity_px), " px");
-}
-
-Json RowsJson(const std::optional<PairCheck>& pair) {
-  if (!pair) return nullptr;
-  return {{"frame", pair->frame},
-          {"matches", pair->matches},
-          {"median_row_error_px", pair->row_error_px},
-          {"median_disparity_px", pair->disparity_px}};
-}
-
-Json InfoJson(const Sequence& sequence, const std::optional<PairCheck>& pair) {
-  const Rate rate = RateOf(sequence.timestamps_ns);
-  const StereoCamera& camera = sequence.camera;
-  return {{"name", sequence.name},
-          {"type", sequence.type},
-          {"dataset", sequence.dataset},
-          {"folder", sequence.folder.string()},
-          {"pair", sequence.pair},
-          {"first_frame", sequence.first_frame},
-          {"frames", sequence.images.size()},
-          {"total_frames", sequence.total_frames},
-          {"duration_s", rate.duration_s},
-          {"median_rate_hz", rate.median_hz},
-          {"longest_gap_s", rate.longest_gap_s},
-          {"assumed_rate", HasAssumedRate(sequence)},
-          {"rows", RowsJson(pair)},
-          {"camera", ToJson(CameraOf(camera))},
-          {"groundtruth", sequence.groundtruth},
-          {"groundtruth_frames", FramesWithTruth(sequence)},
-          {"labels", sequence.labels.size()},
-          {"detections", sequence.detections.size()},
-          {"detection_levels", LevelsOf(sequence)},
-          {"missing", sequence.missing},
-          {"warnings", Warnings(sequence, pair)}};
 }
 
 void PrintInfo(const Sequence& sequence, const std::optional<PairCheck>& pair) {
@@ -227,37 +183,38 @@ void PrintInfo(const Sequence& sequence, const std::optional<PairCheck>& pair) {
   table.Print(std::cout);
 }
 
-// Lists the sequences found below a folder.
-int ListSequences(const std::vector<FoundSequence>& found, bool json) {
-  if (json) {
-    Json list = Json::array();
-    for (const FoundSequence& sequence : found) {
-      list.push_back({{"folder", sequence.folder.string()}, {"type", sequence.type}});
-    }
-    std::cout << DumpJson(list);
-    return 0;
-  }
-  TextTable table({"sequence", "type"});
-  for (const FoundSequence& sequence : found) {
-    table.Add({sequence.folder.string(), sequence.type});
-  }
-  table.Print(std::cout);
-  return 0;
+// Writes the user's images as a sequence to the output folder.
+void Import(const InfoFlags& flags) {
+  const StereoImport& stereo = flags.sequence.stereo;
+  CheckStereo(stereo);
+  CheckNotBelow(InputsOf(stereo), flags.output);
+  CheckNewSequence(flags.output, {});
+  const ImportOutcome outcome =
+      ImportStereo(stereo, flags.output, Progress(flags.quiet).Reporter());
+  for (const std::string& line : outcome.damaged) std::cout << "lost: " << line << '\n';
+  std::cout << "written: " << flags.output << ", images "
+            << (outcome.rectified ? "rectified" : "used as they are") << "\n\n";
 }
 
 int ShowInfo(const InfoFlags& flags) {
-  const SequenceRequest request = flags.sequence.Request();
+  SequenceFlags sequence_flags = flags.sequence;
+  if (!flags.output.empty()) {
+    Import(flags);
+    sequence_flags.stereo = {};
+    sequence_flags.folder = flags.output;
+  }
+  const SequenceRequest request = sequence_flags.Request(flags.quiet);
   if (request.type.empty() && DetectSequenceType(NormalFolder(request.folder)).empty()) {
-    const std::vector<FoundSequence> found = FindSequences(request.folder);
-    if (!found.empty()) return ListSequences(found, flags.json);
+    TextTable table({"sequence", "type"});
+    const std::vector<FoundSequence> below = FindSequences(request.folder);
+    for (const FoundSequence& found : below) table.Add({found.folder.string(), found.type});
+    if (!below.empty()) {
+      table.Print(std::cout);
+      return 0;
+    }
   }
   const Sequence sequence = OpenSequence(request);
-  const std::optional<PairCheck> pair = CheckMiddlePair(sequence);
-  if (flags.json) {
-    std::cout << DumpJson(InfoJson(sequence, pair));
-  } else {
-    PrintInfo(sequence, pair);
-  }
+  PrintInfo(sequence, CheckMiddlePair(sequence));
   return 0;
 }
 
@@ -268,7 +225,10 @@ Command AddInfoCommand(CLI::App& program) {
       "info", "Describe a sequence folder: frames, rate, calibration, ground truth, missing files");
   const auto flags = std::make_shared<InfoFlags>();
   flags->sequence.AddTo(*app);
-  app->add_flag("--json", flags->json, "print JSON");
+  FlagAdder{*app}("-o,--output", flags->output, "FOLDER",
+                  "with --left: where to keep the sequence, in the layout of KITTI odometry, to "
+                  "use it in a suite; default: the cache");
+  AddQuiet(*app, flags->quiet);
   app->footer(
       "For a folder that contains several sequences, lists them.\n"
       "Examples:\n"

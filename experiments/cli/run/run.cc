@@ -95,33 +95,17 @@ void PrintDetections(const RunResult& run, std::ostream& out) {
   const Sequence& sequence = run.sequence;
   const DetectionCounts& counts = run.detections;
   if (sequence.box_sources.detections.empty()) return;
-  out << "detections: " << counts.given << " used";
-  if (sequence.detections.empty() && sequence.low_scores == 0) out << ", none in the frames read";
-  const char* separator = "; left out: ";
-  const auto left_out = [&](int count, const std::string& why) {
-    if (count == 0) return;
-    out << separator << count << ' ' << why;
-    separator = ", ";
-  };
-  left_out(sequence.low_scores, "below --min-score");
-  left_out(counts.outside, "outside the image");
-  left_out(counts.skipped, "of skipped frames");
-  for (const auto& [type, count] : counts.other_classes) left_out(count, "of class " + type);
-  if (counts.without_depth > 0) {
-    out << "; " << counts.without_depth
-        << " used where they were detected, because no feature gives a depth to move them to this "
-           "camera";
-  }
-  out << '\n';
-  int negative = 0;
-  int positive = 0;
-  for (const ObjectBox& box : sequence.detections) {
-    negative += box.score && *box.score < 0.0 ? 1 : 0;
-    positive += box.score && *box.score > 0.0 ? 1 : 0;
-  }
+  int other_classes = 0;
+  for (const auto& [type, count] : counts.other_classes) other_classes += count;
+  out << "detections: " << counts.given << " used; left out: " << sequence.low_scores
+      << " below --min-score, " << counts.outside << " outside the image, " << counts.skipped
+      << " of skipped frames, " << other_classes << " of other classes\n";
+  const auto negative =
+      std::count_if(sequence.detections.begin(), sequence.detections.end(),
+                    [](const ObjectBox& box) { return box.score && *box.score < 0.0; });
   if (negative == 0) return;
-  out << "warning: of " << sequence.detections.size() << " boxes in the file, " << positive
-      << " have a score above 0: --min-score 0 leaves out the others\n";
+  out << "warning: " << negative << " of " << sequence.detections.size()
+      << " boxes have a negative score: --min-score 0 leaves them out\n";
 }
 
 void PrintScores(const RunScores& scores, bool all, std::ostream& out) {
@@ -181,9 +165,7 @@ void CheckFormerRun(const RunRequest& request, const fs::path& folder) {
     expect("boxes (SHA-256)", run.sequence.detections_hash, DetectionsHash(sequence));
     expect("given", run.given, Given(sequence, request.classes, request.oracle));
     expect("landmarks.csv", fs::exists(folder / "landmarks.csv") && !request.landmarks, false);
-    expect("input (SHA-256)", run.sequence.content,
-           ContentHash(sequence,
-                       request.images.empty() ? FileHashes().OfImages(sequence) : request.images));
+    expect("input (SHA-256)", run.sequence.content, ContentHash(sequence, HashImages(sequence)));
   } catch (const Error& error) {
     throw UsageError(StrCat(error.what(), "; use --force to replace it"));
   }
@@ -200,11 +182,9 @@ struct Flags {
   std::optional<std::uint64_t> seed;
   std::string classes;
   std::string oracle = "none";
-  bool strict = false;
   bool landmarks = false;
   bool force = false;
   bool all = false;
-  bool cache = false;
 };
 
 void PrintProblems(const RunResult& run) {
@@ -256,17 +236,6 @@ void RefuseLost(const RunResult& run) {
   throw Error(run.message + (pair && !pair->problem.empty() ? ": " + pair->problem : ""));
 }
 
-// Reports the reading of files as that of frames, and what the cache has to do without.
-FileHashHooks HooksOf(const Flags& flags, std::size_t frames) {
-  FileHashHooks hooks;
-  hooks.notice = PrintNotice;
-  const auto progress = std::make_shared<Progress>(flags.quiet);
-  hooks.hashed = [progress, frames](std::size_t done, std::size_t total) {
-    progress->Report(frames * done / total, frames);
-  };
-  return hooks;
-}
-
 int Run(const Flags& flags) {
   const VariantInfo& variant = FindVariant(flags.variant);
   CheckNoFolder("--config", flags.config);
@@ -281,13 +250,7 @@ int Run(const Flags& flags) {
   read.emplace_back(flags.config);
   const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);
 
-  std::optional<JobCache> cache;
-  if (flags.cache) {
-    cache.emplace(synth::CacheFolder(), CacheLimit(), flags.threads,
-                  HooksOf(flags, sequence.images.size()));
-  }
-  RequireAsRendered(sequence, cache ? cache->hashes : FileHashes());
-
+  RequireAsRendered(sequence);
   const std::optional<RunResult> run = [&] {
     const StopSignal stop;
     RunRequest request = {.sequence = sequence,
@@ -298,9 +261,7 @@ int Run(const Flags& flags) {
                           .classes = classes,
                           .oracle = ParseOracle(flags.oracle),
                           .landmarks = flags.landmarks,
-                          .strict = flags.strict,
                           .stop = [&stop] { return stop.Requested(); }};
-    if (cache) cache->Serve(request);
     if (!flags.force) CheckFormerRun(request, output.path());
     Progress progress(flags.quiet);
     request.progress = [&](std::size_t done) { progress.Report(done, sequence.images.size()); };
@@ -350,13 +311,6 @@ Command AddRunCommand(CLI::App& program) {
                 "overwrite FOLDER even if it holds the results of a different run (refused by "
                 "default; the same run can always be repeated)");
   app->add_flag("--all", flags->all, "print all metrics instead of the most important ones");
-  app->add_flag("--strict", flags->strict,
-                "treat an image that cannot be decoded as an error instead of skipping its frame");
-  app->add_flag(
-      "--cache", flags->cache,
-      "store extracted features in the cache folder (CLUSTERVO_CACHE, at most "
-      "CLUSTERVO_CACHE_SIZE, default 20G) and reuse them: faster when only the variant or "
-      "its options change, with identical results");
   app->footer(
       "Output files: result.json, timing.json, truth.json, camera.tum, camera.kitti; for moving "
       "bodies\nobjects.csv (every cluster in every frame, with its life state), tracks.kitti "

@@ -41,6 +41,9 @@ struct SequenceFlags : SequenceRequest {
 void AddStereo(CLI::App& app, StereoImport& stereo);
 // Throws UsageError if --left, --right or --calib is missing.
 void CheckStereo(const StereoImport& stereo);
+// The detector levels of a rendered scene, one of which --detections may name.
+std::vector<std::string> DetectorLevels(const std::filesystem::path& folder);
+
 // The files and folders of an import. Some paths may be empty.
 std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo);
 

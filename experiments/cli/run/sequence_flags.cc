@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// The flags that select a sequence, and clustervo import.
+// The flags that select a sequence.
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -25,61 +25,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool IsFamilySeed(const std::string& name) {
-  const auto families = synth::ShippedFamilies();
-  return std::any_of(families.begin(), families.end(), [&](const auto& family) {
-    return name.starts_with(std::string(family.name) + "@");
-  });
-}
-
-// Sorted names of the folders in a folder, or of its files without their extensions.
-std::vector<std::string> NamesIn(const fs::path& folder, bool folders) {
-  std::vector<std::string> names;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder, none)) {
-    if (entry.is_directory() != folders) continue;
-    const fs::path name = entry.path().filename();
-    names.push_back((folders ? name : name.stem()).string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-[[noreturn]] void FailUsage(const std::string& where, const std::string& found,
-                            const std::string& expected) {
-  throw UsageError(StrCat(where, ": found ", found, ", expected ", expected));
-}
-
-// Throws UsageError if the folder does not exist. The message gives the command that renders it if
-// it has the name of a scene or of a seed of a family, otherwise similar names.
+// Throws UsageError if the folder does not exist, with the command that renders it if it has the
+// name of a scene, or with the nearest of such names and of its neighbours.
 void CheckSequenceFolder(const fs::path& folder) {
   if (fs::exists(folder) || fs::exists(folder.parent_path() / "image_02")) return;
   const std::string name = folder.filename().string();
-  std::vector<std::string> near = NamesIn(fs::absolute(folder).parent_path(), true);
-  for (const synth::ShippedScene& scene : synth::ShippedScenes()) near.emplace_back(scene.name);
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-  if (std::binary_search(near.begin(), near.end(), name) || IsFamilySeed(name)) {
-    FailUsage(folder.string(), "no such folder",
-              StrCat("a sequence: `clustervo synth render ", name, " -o ", folder.string(),
-                     "` makes this one"));
+  std::vector<std::string> scenes;
+  for (const synth::ShippedScene& scene : synth::ShippedScenes()) scenes.emplace_back(scene.name);
+  const bool is_scene =
+      synth::IsFamilyScene(name) || std::find(scenes.begin(), scenes.end(), name) != scenes.end();
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(fs::absolute(folder).parent_path(), none)) {
+    if (entry.is_directory()) AddOnce(entry.path().filename().string(), scenes);
   }
-  FailUsage(folder.string(), "no such folder" + DidYouMean(name, near), "the folder of a sequence");
+  throw UsageError(StrCat(
+      folder.string(), ": found no such folder", is_scene ? "" : DidYouMean(name, scenes),
+      ", expected the folder of a sequence",
+      is_scene
+          ? StrCat(": `clustervo synth render ", name, " -o ", folder.string(), "` makes this one")
+          : ""));
 }
 
 // Throws Error unless `detections` is empty, a file, a detector level of the sequence's scene,
 // "labels" (see AreFromLabels) or "none".
 void CheckDetections(const fs::path& given, const fs::path& folder) {
   const std::string detections = given.string();
-  std::vector<std::string> names = NamesIn(folder / "detections", false);
-  const bool has_levels = !names.empty();
-  names.insert(names.end(), {"labels", "none"});
   if (detections.empty() || AreFromLabels(detections) || fs::exists(detections)) return;
+  std::vector<std::string> names = DetectorLevels(folder);
+  names.insert(names.end(), {"labels", "none"});
   if (std::find(names.begin(), names.end(), detections) != names.end()) return;
-  const std::string levels =
-      has_levels ? "" : " (this sequence has no detector levels such as good)";
   ThrowError("--detections", Quoted(detections) + DidYouMean(detections, names),
-             "a file, or for this sequence one of " + Joined(names, ", ") + levels);
+             "a file, or for this sequence one of " + Joined(names, ", "));
 }
 
 Json ReadLayoutSettings(const std::string& text) {
@@ -87,29 +63,6 @@ Json ReadLayoutSettings(const std::string& text) {
   const Json json = text.starts_with("{") ? ParseJson(text, "option --layout") : ReadJson(text);
   if (!json.is_object()) ThrowError("option --layout", json.dump(), "a JSON object");
   return json;
-}
-
-struct ImportFlags {
-  StereoImport stereo;
-  std::string output;
-  bool quiet = false;
-};
-
-int Import(const ImportFlags& flags) {
-  CheckStereo(flags.stereo);
-  CheckNotBelow(InputsOf(flags.stereo), flags.output);
-  CheckNewSequence(flags.output, {});
-  const ImportOutcome outcome =
-      ImportStereo(flags.stereo, flags.output, Progress(flags.quiet).Reporter());
-  for (const std::string& line : outcome.damaged) std::cout << "lost: " << line << '\n';
-  const StereoCamera& camera = outcome.camera;
-  std::cout << outcome.frames << " pairs of " << camera.width_px << "x" << camera.height_px
-            << " px, " << (outcome.rectified ? "rectified" : "used as they are")
-            << ", times: " << outcome.times << "\ncalibration: fx " << ReadableNumber(camera.fx)
-            << ", fy " << ReadableNumber(camera.fy) << ", cx " << ReadableNumber(camera.cx)
-            << ", cy " << ReadableNumber(camera.cy) << " px, baseline "
-            << ReadableNumber(camera.baseline_m) << " m\nwritten: " << flags.output << '\n';
-  return 0;
 }
 
 }  // namespace
@@ -155,6 +108,16 @@ void SequenceFlags::AddTo(CLI::App& app) {
   AddStereo(app, stereo);
   add("--min-score", min_score, "SCORE", "minimum score of a detection; default: none")
       ->check(Within(-1e6, 1e6));
+}
+
+std::vector<std::string> DetectorLevels(const fs::path& folder) {
+  std::vector<std::string> levels;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder / "detections", none)) {
+    if (entry.path().extension() == ".txt") levels.push_back(entry.path().stem().string());
+  }
+  std::sort(levels.begin(), levels.end());
+  return levels;
 }
 
 void CheckStereo(const StereoImport& stereo) {
@@ -209,22 +172,6 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
   }
   if (detections_file == "none") request.detections_file.clear();
   return request;
-}
-
-Command AddImportCommand(CLI::App& program) {
-  CLI::App* app = program.add_subcommand(
-      "import", "Convert your own stereo images into a sequence, rectifying them if necessary");
-  const FlagAdder add{*app};
-  const auto flags = std::make_shared<ImportFlags>();
-  AddStereo(*app, flags->stereo);
-  add("-o,--output", flags->output, "FOLDER", "new folder, in the layout of KITTI odometry")
-      ->required();
-  AddQuiet(*app, flags->quiet);
-  app->footer(
-      "run accepts the same flags and caches the sequence. Use import to inspect the sequence or "
-      "to\nuse it in a suite.\n"
-      "Example: clustervo import --left cam0 --right cam1 --calib camchain.yaml -o kitchen");
-  return {app, [flags] { return Import(*flags); }};
 }
 
 }  // namespace cvo

@@ -1,22 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo experiment: run suites, show what is done or would be done, and tabulate results.
-#include <algorithm>
-#include <array>
+// clustervo experiment: run suites, or show what would run.
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/json/json_record.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/suite/run_suite.h"
-#include "experiments/suite/collection.h"
 #include "experiments/suite/run_plan.h"
 #include "synth/write/render_cache.h"
 
@@ -25,256 +18,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class JobState {
-  kDone,
-  kRuns,      // its input exists
-  kPrepares,  // runs after its scene is rendered or its boxes are found
-  kMissing,
-};
-
-// What will happen to a planned job.
-struct PredictedState {
-  JobState state = JobState::kRuns;
-  std::string why;  // reason that it runs or is missing
-};
-
-// A plan, and how much of it is already done in the output folder.
-struct PlanState {
-  BuiltPlan built;
-  std::vector<PredictedState> outlook;  // one per job
-};
-
-struct StatusFlags {
-  SuiteFlags suite;
-  int jobs = 1;
-  bool quiet = false;
-};
-
-std::size_t Count(const std::vector<PredictedState>& outlook, JobState state) {
-  return static_cast<std::size_t>(
-      std::count_if(outlook.begin(), outlook.end(),
-                    [state](const PredictedState& job) { return job.state == state; }));
-}
-
-// Prints "  12 x <reason>" for each reason, in order of first occurrence.
-void PrintReasons(const std::vector<PredictedState>& outlook, JobState state, std::ostream& out) {
-  using Reason = std::pair<std::string, int>;
-  std::vector<Reason> reasons;
-  for (const PredictedState& job : outlook) {
-    if (job.state == state) ++FindOrAdd(reasons, &Reason::first, {job.why, 0}).second;
-  }
-  for (const auto& [why, count] : reasons) out << "  " << count << " x " << why << '\n';
-}
-
-void PrintPreparations(const std::vector<Preparation>& preparations, std::ostream& out) {
-  for (const auto& [stage, label] : {std::pair{Stage::kDrawing, "scenes to render"},
-                                     {Stage::kNoise, "scenes to render from cached drawings"},
-                                     {Stage::kBoxes, "sequences to detect boxes in"}}) {
-    int count = 0;
-    int frames = 0;
-    for (const Preparation& preparation : preparations) {
-      if (preparation.stage != stage) continue;
-      ++count;
-      frames += preparation.frames;
-    }
-    if (count > 0) out << label << ": " << count << " (" << frames << " frames)\n";
-  }
-}
-
-double PreparedFrame_s(Stage stage) {
-  if (stage == Stage::kBoxes) return 0.2;
-  return stage == Stage::kDrawing ? 0.28 : 0.03;
-}
-
-// Estimates the seconds that one process takes to prepare and run everything, each job once.
-double SecondsOf(const PlanState& state) {
+// Estimates the seconds that one process takes to render, and to run the jobs that are not done.
+double SecondsOf(const BuiltPlan& built, const std::vector<JobStatus>& status) {
   constexpr double kFrame_s = 1.0 / 35.0;
   double seconds = 0.0;
-  for (const Preparation& preparation : state.built.preparations) {
-    seconds += preparation.frames * PreparedFrame_s(preparation.stage);
+  for (const Preparation& scene : built.preparations) {
+    seconds += scene.frames * (scene.stage == Stage::kDrawing ? 0.28 : 0.03);
   }
-  std::set<std::string> counted;
-  for (std::size_t i = 0; i < state.outlook.size(); ++i) {
-    const PlanJob& job = state.built.plan.jobs[i];
-    const JobState outlook = state.outlook[i].state;
-    const bool runs = outlook == JobState::kRuns || outlook == JobState::kPrepares;
-    if (!runs || !job.system.empty()) continue;
-    if (job.job.empty() || counted.insert(job.job).second) seconds += job.frames * kFrame_s;
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    const bool runs =
+        status[i].state == JobStatus::State::kMissing ||
+        (status[i].state == JobStatus::State::kFailed && !built.plan.jobs[i].job.empty());
+    if (runs) seconds += built.plan.jobs[i].frames * kFrame_s;
   }
   return seconds;
 }
 
-void Print(const PlanState& state, int processes, std::ostream& out) {
-  const Plan& plan = state.built.plan;
-  out << "suite " << plan.suite.name << ": " << plan.jobs.size() << " jobs on "
-      << plan.suite.sequences.size() << " sequences";
-  out << " (" << SplitOf(plan.suite) << " split)\n";
-  const std::array<std::pair<JobState, const char*>, 4> states = {
-      {{JobState::kDone, "done"},
-       {JobState::kRuns, "to run"},
-       {JobState::kPrepares, "to run after rendering or detection"},
-       {JobState::kMissing, "missing, left out"}}};
-  for (const auto& [job_state, label] : states) {
-    const std::size_t count = Count(state.outlook, job_state);
-    if (count == 0) continue;
-    out << label << ": " << count << '\n';
-    if (job_state == JobState::kRuns || job_state == JobState::kMissing) {
-      PrintReasons(state.outlook, job_state, out);
-    }
-  }
-  PrintPreparations(state.built.preparations, out);
-  const double seconds = SecondsOf(state);
-  if (seconds == 0.0) {
-    out << "nothing to compute\n";
-    return;
-  }
-  out << "estimated time: " << DurationText(seconds / processes) << " with "
-      << Counted(static_cast<std::size_t>(processes), "process", "processes")
-      << " (assuming 35 frames/s, rendering 4 frames/s)\n";
-}
-
-// Whether the folder has a plan of another build. One that cannot be read counts as none.
-bool IsOfAnotherBuild(const SuiteFolder& folder, const Plan& plan) {
-  try {
-    return fs::exists(folder.plan()) &&
-           ReadRecord<reports::PlanFile>(folder.plan()).build != plan.build;
-  } catch (const Error&) {
-    return false;
-  }
-}
-
-PredictedState Predict(const SuiteFolder& folder, const PlanJob& job, bool other_build) {
-  if (IsPending(job.missing)) return {JobState::kPrepares, job.missing};
-  if (!job.missing.empty()) return {JobState::kMissing, job.missing};
-  if (HasFiles(folder, job)) return {JobState::kDone, ""};
-  const JobStatus status = StatusOf(folder, job);
-  if (status.state == JobStatus::State::kFailed) {
-    return {JobState::kRuns, "failed before: " + status.message};
-  }
-  return {JobState::kRuns, other_build ? "not run by this build of the program" : "not run yet"};
-}
-
-PlanState PlanOf(const StatusFlags& flags) {
-  Suite suite;
-  try {
-    suite = flags.suite.Load();
-  } catch (const Error& error) {
-    throw UsageError(error.what());
-  }
+// Prints what is done in the output folder, what would run, and for how long.
+void PrintPlan(const SuiteRunFlags& flags) {
+  const Suite suite = flags.suite.Load();
+  const BuiltPlan built = PlanSuite(suite, flags.suite, flags.quiet);
   const SuiteFolder folder{flags.suite.output};
-  PlanState state{PlanSuite(suite, flags.suite, flags.quiet), {}};
-  const Plan& plan = state.built.plan;
-  const bool other_build = IsOfAnotherBuild(folder, plan);
-  for (const PlanJob& job : plan.jobs) state.outlook.push_back(Predict(folder, job, other_build));
-  return state;
+  const std::vector<JobStatus> status = StatusOfAll(folder, built.plan);
+  std::cout << suite.name << " (" << SplitOf(suite) << " split): ";
+  PrintJobs(folder, built.plan, status, std::cout);
+  int frames = 0;
+  for (const Preparation& scene : built.preparations) frames += scene.frames;
+  if (frames > 0) {
+    std::cout << "scenes to render: " << built.preparations.size() << " (" << frames
+              << " frames)\n";
+  }
+  const int processes = flags.engine.jobs > 0 ? flags.engine.jobs : DefaultThreads();
+  std::cout << "estimated time: " << DurationText(SecondsOf(built, status) / processes) << " with "
+            << Counted(static_cast<std::size_t>(processes), "process", "processes") << '\n';
 }
 
-// Prints the plan section by section. A suite that belongs to several sections is planned only
-// once.
-void PrintCollection(const Collection& collection, const StatusFlags& flags) {
-  std::map<std::string, bool> planned;  // whether input of the suite is missing
-  double seconds = 0.0;
+// Prints the plan section by section. A suite of several sections is planned only once.
+void PrintCollection(const Collection& collection, const SuiteRunFlags& flags) {
+  std::set<std::string> planned;
   for (const CollectionSection& section : collection.sections) {
+    if (section.suite.empty()) continue;
     std::cout << section.title << '\n';
-    if (section.suite.empty()) {
-      std::cout << "no runs of its own\n\n";
-      continue;
-    }
-    if (!planned.contains(section.suite)) {
-      StatusFlags of_suite = flags;
+    if (planned.insert(section.suite).second) {
+      SuiteRunFlags of_suite = flags;
       of_suite.suite.suite = section.suite;
       of_suite.suite.output =
           (fs::path(flags.suite.output) / SuiteFolderName(section.suite)).string();
-      const PlanState state = PlanOf(of_suite);
-      Print(state, flags.jobs, std::cout);
-      seconds += SecondsOf(state);
-      planned[section.suite] = Count(state.outlook, JobState::kMissing) > 0;
+      PrintPlan(of_suite);
     }
-    if (planned[section.suite]) std::cout << "get it: " << section.data << '\n';
+    if (!section.data.empty()) std::cout << "data: " << section.data << '\n';
     std::cout << '\n';
   }
-  std::cout << "estimated time of all suites: " << DurationText(seconds / flags.jobs) << '\n';
 }
 
-int PrintPlan(const StatusFlags& flags) {
-  if (const std::optional<Collection> collection = FindCollection(flags.suite.suite)) {
-    PrintCollection(*collection, flags);
-  } else {
-    Print(PlanOf(flags), flags.jobs, std::cout);
-  }
+int RunExperiment(const SuiteRunFlags& flags, bool dry_run) {
+  const std::optional<Collection> collection = FindCollection(flags.suite.suite);
+  if (!dry_run) return collection ? RunCollection(*collection, flags) : RunSuite(flags);
+  collection ? PrintCollection(*collection, flags) : PrintPlan(flags);
   return 0;
-}
-
-Json StatusToJson(const SuiteFolder& folder, const Plan& plan,
-                  const std::vector<JobStatus>& status) {
-  const PlanOutcome counts = CountJobs(status);
-  Json jobs = Json::array();
-  for (std::size_t i = 0; i < status.size(); ++i) {
-    const PlanJob& job = plan.jobs[i];
-    jobs.push_back({{"job", job.job},
-                    {"name", Describe(job)},
-                    {"state", ToString(status[i].state)},
-                    {"message", status[i].message},
-                    {"log", job.job.empty() ? "" : folder.log(job.job).string()}});
-  }
-  return {{"schema_version", 1},
-          {"kind", "status"},
-          {"suite", plan.suite.name},
-          {"counts",
-           {{"done", counts.done},
-            {"failed", counts.failed},
-            {"missing", counts.missing},
-            {"no_sequence", counts.no_sequence}}},
-          {"jobs", std::move(jobs)}};
-}
-
-// What is done in an output folder.
-int ShowStatus(const std::string& path, bool json) {
-  const SuiteFolder folder{path};
-  if (!std::filesystem::exists(folder.plan())) {
-    ThrowError(path, "no plan.json", "an output folder of clustervo experiment run");
-  }
-  const Plan plan = ParsePlan(ReadJson(folder.plan()), folder.plan().string());
-  const std::vector<JobStatus> status = StatusOfAll(folder, plan);
-  if (json) {
-    std::cout << DumpJson(StatusToJson(folder, plan, status));
-  } else {
-    std::cout << plan.suite.name << ": ";
-    PrintJobs(folder, plan, status, std::cout);
-  }
-  const PlanOutcome counts = CountJobs(status);
-  return counts.failed + counts.missing == 0 ? 0 : kIncomplete;
-}
-
-Command AddExperimentStatusCommand(CLI::App& experiment) {
-  CLI::App* app = experiment.add_subcommand(
-      "status",
-      "Show which jobs of a suite folder are done, failed or missing; of a suite, which would run, "
-      "why, and for how long");
-  const FlagAdder add{*app};
-  const auto flags = std::make_shared<StatusFlags>();
-  flags->suite.AddTo(*app);
-  app->get_option("SUITE")->description(
-      "output folder of a suite; or, with -o, a suite (clustervo list suites) or a suite file");
-  app->get_option("--output")->required(false);
-  add("-j,--jobs", flags->jobs, "N", "number of processes to estimate the time for")
-      ->check(Within(1, 10000))
-      ->capture_default_str();
-  const auto json = std::make_shared<bool>(false);
-  app->add_flag("--json", *json, "of a folder: print JSON, one entry per job");
-  AddQuiet(*app, flags->quiet);
-  app->footer(
-      "Nothing is rendered or run; can be used while the suite runs. Exit code of a folder: 0 if "
-      "all jobs\nwhose sequence is present are done, 1 if some are not. Images whose hashes are "
-      "not "
-      "known yet are\nread, and their hashes are stored in CLUSTERVO_CACHE.\n"
-      "Examples:\n"
-      "  clustervo experiment status results/ablation\n"
-      "  clustervo experiment status ablation -o results/ablation -j 2");
-  return {app, [flags, json] {
-            if (flags->suite.output.empty()) return ShowStatus(flags->suite.suite, *json);
-            return PrintPlan(*flags);
-          }};
 }
 
 Command AddExperimentRunCommand(CLI::App& experiment) {
@@ -290,6 +91,9 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
   add("--memory-limit", flags->limit_memory_mb, "MB", "address space limit of one job; 0: no limit")
       ->check(Within(0.0, 1e9))
       ->capture_default_str();
+  const auto dry_run = std::make_shared<bool>(false);
+  app->add_flag("--dry-run", *dry_run,
+                "only print what is done, what would run, and for how long; nothing is written");
   AddQuiet(*app, flags->quiet);
   app->footer(
       "A job is one estimator with one set of options on one sequence with one seed, and runs "
@@ -301,17 +105,12 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       "results\nas the paper's tables and figures.\nExit code 0: all jobs succeeded, 1: some "
       "failed or the suite is invalid, 2: wrong usage, 130:\ninterrupted.\n"
       "Example: clustervo experiment run ablation -o results/ablation");
-  return {app, [flags] {
-            const std::optional<Collection> collection = FindCollection(flags->suite.suite);
-            return collection ? RunCollection(*collection, *flags) : RunSuite(*flags);
-          }};
+  return {app, [flags, dry_run] { return RunExperiment(*flags, *dry_run); }};
 }
 
 int RunOne(const SuiteFolder& folder, const std::string& id) {
-  FileHashHooks hooks;
-  hooks.notice = PrintNotice;
-  const JobCache cache(synth::CacheFolder(), CacheLimit(), 1, hooks);
-  RunPlannedJob(ParsePlan(ReadJson(folder.plan()), folder.plan().string()), id, folder, cache);
+  RunPlannedJob(ParsePlan(ReadJson(folder.plan()), folder.plan().string()), id, folder,
+                synth::CacheFolder(), PrintNotice);
   return 0;
 }
 
@@ -334,9 +133,8 @@ Command AddExperimentCommand(CLI::App& program) {
       "experiment",
       "Run suites of sequences, estimators, options and seeds, and tabulate their results");
   app->footer("Start with: clustervo list suites, then clustervo experiment run ci -o DIR.");
-  return Group(*app, {AddExperimentRunCommand(*app), AddExperimentStatusCommand(*app),
-                      AddExperimentTableCommand(*app), AddExperimentCompareCommand(*app),
-                      AddExperimentJobCommand(*app)});
+  return Group(*app, {AddExperimentRunCommand(*app), AddExperimentTableCommand(*app),
+                      AddExperimentCompareCommand(*app), AddExperimentJobCommand(*app)});
 }
 
 }  // namespace cvo

@@ -23,36 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Frames per second of the runs of a variant, in suites with timed_threads only: runs of other
-// suites share the machine and may read features from the cache.
-struct Speed {
-  std::vector<double> frames_per_s;
-  int threads = 1;
-  std::string cpu;
-};
-
-void AddSpeeds(const fs::path& folder, std::map<std::string, Speed>& speeds) {
-  for (const reports::PlannedRun& run : reports::ReadPlan(folder / "plan.json").runs) {
-    const fs::path file = folder / "jobs" / run.job / "timing.json";
-    if (run.job.empty() || !run.system.empty() || !fs::exists(file)) continue;
-    const auto timing = ReadRecord<reports::TimingData>(file);
-    Speed& speed = speeds[run.variant];
-    speed.frames_per_s.push_back(timing.frames_per_second);
-    speed.threads = timing.threads;
-    speed.cpu = timing.cpu;
-  }
-}
-
-std::string SpeedText(Speed speed) {
-  if (speed.frames_per_s.empty()) return "not run";
-  std::sort(speed.frames_per_s.begin(), speed.frames_per_s.end());
-  const double median = speed.frames_per_s[speed.frames_per_s.size() / 2];
-  return StrCat(FormatFixed(median, 1), " (", FormatFixed(speed.frames_per_s.front(), 1), " to ",
-                FormatFixed(speed.frames_per_s.back(), 1), " in ",
-                Counted(speed.frames_per_s.size(), "run"), ", ",
-                Counted(static_cast<std::size_t>(speed.threads), "thread"), " of ", speed.cpu, ")");
-}
-
 std::string Link(const std::string& path, const std::string& text) {
   return StrCat("<a href=\"", reports::Escaped(path), "\">", reports::Escaped(text), "</a>");
 }
@@ -123,8 +93,6 @@ class CollectionRun {
       problem = error.what();
       std::cout << problem << '\n';
     }
-    const bool is_timed = LoadSuite(suite).timed_threads > 0;
-    if (code != kInterrupted && is_timed) AddSpeeds(FolderOf(suite), speeds_);
     return code;
   }
 
@@ -147,15 +115,10 @@ class CollectionRun {
 
   // `state` becomes what the table of contents says about data that are not on this disk.
   std::string SectionHtml(const CollectionSection& section, const std::string& id,
-                          std::string& state) {
+                          std::string& state) const {
     std::string html = reports::Element("h2", section.title) + "\n";
     for (const std::string& text : section.text) html += reports::Element("p", text) + "\n";
-    std::vector<std::vector<std::string>> rows = section.rows;
-    for (const auto& [variant, cells] : section.measured) {
-      rows.push_back(cells);
-      rows.back().push_back(SpeedText(speeds_[variant]));
-    }
-    if (!section.columns.empty()) html += PlainTable(section.columns, rows);
+    if (!section.columns.empty()) html += PlainTable(section.columns, section.rows);
     if (!section.suite.empty()) html += SuiteHtml(section, id, state);
     for (const CollectionFigure& figure : section.figures) html += PicturesHtml(figure);
     return html;
@@ -230,7 +193,6 @@ class CollectionRun {
   const SuiteRunFlags& flags_;
   fs::path root_;
   std::map<std::string, std::string> ran_;  // why a suite has no runs; empty if it has
-  std::map<std::string, Speed> speeds_;     // by variant
 };
 
 }  // namespace

@@ -140,14 +140,13 @@ class SuiteRun {
   int Run() {
     BuiltPlan built = MakePlan();
     Messages messages;
-    // This repeats because boxes can only be detected in scenes that were rendered before.
-    for (std::set<std::string> tried; AddNew(built.preparations, tried);) {
+    if (!built.preparations.empty()) {
       WritePlan(built.plan);
       Prepare(built.preparations, messages);
       built = MakePlan();
       // Files made on other machines may become visible late.
       for (double late_s = 0.0;
-           messages.empty() && HasTried(built.preparations, tried) && late_s < engine_->latency_s();
+           messages.empty() && !built.preparations.empty() && late_s < engine_->latency_s();
            late_s += 1.0) {
         std::this_thread::sleep_for(std::chrono::seconds(1));
         built = MakePlan();
@@ -166,18 +165,6 @@ class SuiteRun {
  private:
   // Why the input of a sequence could not be made, by sequence.
   using Messages = std::map<std::string, std::string>;
-
-  static bool HasTried(const std::vector<Preparation>& preparations,
-                       const std::set<std::string>& tried) {
-    return std::any_of(preparations.begin(), preparations.end(),
-                       [&](const Preparation& one) { return tried.contains(one.name); });
-  }
-  // Adds the names to `tried`. Returns whether one of them is new.
-  static bool AddNew(const std::vector<Preparation>& preparations, std::set<std::string>& tried) {
-    const std::size_t before = tried.size();
-    for (const Preparation& one : preparations) tried.insert(one.name);
-    return tried.size() > before;
-  }
 
   BuiltPlan MakePlan() const {
     return PlanSuite(suite_, flags_.suite, flags_.quiet, [this] {
@@ -207,13 +194,12 @@ class SuiteRun {
       for (const Preparation& one : preparations) {
         if (one.stage == stage) of_stage.push_back(&one);
       }
-      if (!of_stage.empty()) PrepareAtOnce(of_stage, stage, failed);
+      if (!of_stage.empty()) PrepareAtOnce(of_stage, failed);
     }
   }
 
-  void PrepareAtOnce(const std::vector<const Preparation*>& wanted, Stage stage, Messages& failed) {
-    const bool boxes = stage == Stage::kBoxes;
-    Progress progress(flags_.quiet, boxes ? "sequences" : "scenes");
+  void PrepareAtOnce(const std::vector<const Preparation*>& wanted, Messages& failed) {
+    Progress progress(flags_.quiet, "scenes");
     const PlanRun run = Settings(progress);
     std::vector<Task> tasks;
     for (const Preparation* one : wanted) {
@@ -223,8 +209,7 @@ class SuiteRun {
       tasks.push_back(std::move(task));
     }
     if (!flags_.quiet) {
-      std::cerr << (boxes ? "finding boxes in " : "rendering ")
-                << Counted(wanted.size(), boxes ? "sequence" : "scene") << '\n';
+      std::cerr << "rendering " << Counted(wanted.size(), "scene") << '\n';
     }
     const auto messages = RunPreparations(tasks, run, *engine_);
     if (!messages) throw Stopped();
@@ -236,11 +221,10 @@ class SuiteRun {
 
   static void NoteUnprepared(const Messages& messages, Plan& plan) {
     for (PlanJob& job : plan.jobs) {
-      if (!IsPending(job.missing)) continue;
+      if (job.missing != kNotRendered) continue;
       const auto message = messages.find(job.sequence);
-      job.missing = StrCat(
-          job.missing == kNotRendered ? "the scene was not rendered" : "its boxes were not found",
-          message == messages.end() ? "" : ": " + message->second);
+      job.missing =
+          "the scene was not rendered" + (message == messages.end() ? "" : ": " + message->second);
     }
   }
 

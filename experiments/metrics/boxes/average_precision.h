@@ -56,13 +56,6 @@ struct ApProtocol {
   TruncationRule truncation = TruncationRule::kApplied;
 
   bool operator==(const ApProtocol&) const = default;
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("class", self.category);
-    archive.Field("overlap", self.space);
-    archive.Field("least_overlap", self.least_overlap);
-    archive.Field("truncation", self.truncation);
-  }
 };
 
 // Labels and detections of one image. A detection without a score is ranked as if its score were 1.
@@ -80,15 +73,6 @@ struct AveragePrecision {
   int valid_labels = 0;
   // [i]: the highest precision at recall i/40 or above; 0 beyond the highest recall reached.
   std::array<double, kRecallSlots> precision = {};
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("level", self.level);
-    archive.Field("ap11", self.ap11);
-    archive.Field("ap40", self.ap40);
-    archive.Field("valid_labels", self.valid_labels);
-    archive.Field("precision", self.precision);
-  }
 };
 
 // Evaluates all three levels. Frames without detections count: their labels are missed.

@@ -37,14 +37,6 @@ struct HotaScores {
   double det_a = 0.0;
   double ass_a = 0.0;
   double loc_a = 0.0;
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("hota", self.hota);
-    archive.Field("det_a", self.det_a);
-    archive.Field("ass_a", self.ass_a);
-    archive.Field("loc_a", self.loc_a);
-  }
 };
 HotaScores EvaluateHota(const TrackedSequence& sequence);
 
@@ -57,17 +49,6 @@ struct ClearScores {
   int false_boxes = 0;
   int switches = 0;
   int fragments = 0;  // number of times a true body is matched again after a frame without a match
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("mota", self.mota);
-    archive.Field("motp", self.motp);
-    archive.Field("matches", self.matches);
-    archive.Field("missed", self.missed);
-    archive.Field("false_boxes", self.false_boxes);
-    archive.Field("switches", self.switches);
-    archive.Field("fragments", self.fragments);
-  }
 };
 ClearScores EvaluateClear(const TrackedSequence& sequence);
 
@@ -77,13 +58,6 @@ struct IdentityScores {
   double idf1 = 0.0;
   double precision = 0.0;
   double recall = 0.0;
-
-  template <typename Self, typename Archive>
-  static void VisitFields(Self& self, Archive& archive) {
-    archive.Field("idf1", self.idf1);
-    archive.Field("precision", self.precision);
-    archive.Field("recall", self.recall);
-  }
 };
 IdentityScores EvaluateIdentities(const TrackedSequence& sequence);
 

@@ -7,15 +7,10 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
@@ -34,31 +29,6 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr std::size_t kFrames = 4;
-
-// A small file system of its own, mounted at `folder` if the system permits.
-class SmallDisk {
- public:
-  SmallDisk(fs::path folder, const char* size) : folder_(std::move(folder)) {
-    fs::create_directory(folder_);
-    const std::string options = std::string("size=") + size;
-    mounted_ = ::mount("tmpfs", folder_.c_str(), "tmpfs", 0, options.c_str()) == 0;
-    if (!mounted_) problem_ = std::string("cannot mount a small disk: ") + std::strerror(errno);
-  }
-  ~SmallDisk() {
-    if (mounted_) ::umount2(folder_.c_str(), MNT_DETACH);
-  }
-  SmallDisk(const SmallDisk&) = delete;
-  SmallDisk& operator=(const SmallDisk&) = delete;
-
-  bool mounted() const { return mounted_; }
-  const std::string& problem() const { return problem_; }
-  const fs::path& path() const { return folder_; }
-
- private:
-  fs::path folder_;
-  bool mounted_ = false;
-  std::string problem_;
-};
 
 // Returns frames with a few features each. Frame 1 has a problem instead of features.
 std::vector<FrontEndFrame> SomeFrames(int count) {
@@ -229,65 +199,6 @@ TEST_F(FrontEndCacheTest, AnEntryAboveTheLimitIsNotStored) {
   EXPECT_THAT(notices_[0], HasSubstr(StrCat("more than the ", size_bytes, " bytes")));
   Store(Cache(0), SomeKey('b'), frames_);  // disabled on request: no notice
   EXPECT_THAT(notices_, SizeIs(1));
-}
-
-TEST_F(FrontEndCacheTest, ManyProcessesWriteReadAndEvictAtOnce) {
-  Store(Cache(), SomeKey('a'), frames_);
-  const std::uint64_t size_bytes = fs::file_size(FileOf(SomeKey('a')));
-  const std::string expected = BytesOf(frames_);
-  std::vector<pid_t> children;
-  for (int child = 0; child < 6; ++child) {
-    const pid_t pid = ::fork();
-    ASSERT_GE(pid, 0);
-    if (pid != 0) {
-      children.push_back(pid);
-      continue;
-    }
-    // There is room for two of three entries, so that entries come and go while others are read.
-    const FrontEndCache cache = Cache(2 * size_bytes);
-    bool fine = true;
-    for (int round = 0; round < 10; ++round) {
-      const std::string key = SomeKey(static_cast<char>('a' + (child + round) % 3));
-      Store(cache, key, frames_);
-      const std::string loaded = Load(cache, key, kFrames);
-      fine = fine && (loaded.empty() || loaded == expected);
-    }
-    ::_exit(fine && notices_.empty() ? 0 : 1);
-  }
-  for (const pid_t pid : children) {
-    int status = -1;
-    ASSERT_EQ(::waitpid(pid, &status, 0), pid);
-    EXPECT_EQ(status, 0);
-  }
-  EXPECT_THAT(NamesIn(temp_.path()), testing::Each(testing::EndsWith(".features")));
-}
-
-TEST_F(FrontEndCacheTest, AKilledWriterLeavesNoEntry) {
-  const pid_t pid = ::fork();
-  ASSERT_GE(pid, 0);
-  if (pid == 0) {
-    FeatureRecording recording = Cache().Record(key_);
-    for (const FrontEndFrame& frame : frames_) recording.Add(frame);
-    ::kill(::getpid(), SIGKILL);
-  }
-  ASSERT_EQ(::waitpid(pid, nullptr, 0), pid);
-  ASSERT_THAT(NamesIn(temp_.path()), SizeIs(1));
-  fs::last_write_time(temp_.path() / NamesIn(temp_.path())[0],
-                      fs::file_time_type::clock::now() - std::chrono::hours(25));
-  Store(Cache(), SomeKey('a'), frames_);
-  EXPECT_THAT(NamesIn(temp_.path()), ElementsAre(SomeKey('a') + ".features"));
-}
-
-TEST_F(FrontEndCacheTest, AFullDiskOnlyEndsTheRecording) {
-  const SmallDisk disk(temp_.path() / "disk", "16k");
-  if (!disk.mounted()) GTEST_SKIP() << disk.problem();
-  const FrontEndCache cache = Cache(disk.path());
-  Store(cache, SomeKey('a'), frames_);
-  Store(cache, SomeKey('b'), SomeFrames(200));
-  ASSERT_THAT(notices_, SizeIs(1));
-  EXPECT_THAT(notices_[0], HasSubstr(std::strerror(ENOSPC)));
-  EXPECT_THAT(NamesIn(disk.path()), ElementsAre(SomeKey('a') + ".features"));
-  EXPECT_EQ(Load(cache, SomeKey('a'), kFrames), BytesOf(frames_));
 }
 
 TEST(CacheLimit, ReadsSizes) {

@@ -82,15 +82,18 @@ TEST_F(Cli, WrongUsage) {
 TEST_F(Cli, FormerSpellingsNameThePresentOnes) {
   const std::vector<Wrong> former = {
       {{"variants"}, "list variants"},
-      {{"options", "--json"}, "list options"},
+      {{"options"}, "list options"},
       {{"synth", "list"}, "list scenes"},
       {{"synth", "generate", "room", "--seed", "3"}, "synth render FAMILY@SEED"},
       {{"experiment", "list"}, "list suites"},
-      {{"experiment", "plan", "ci", "-o", "x"}, "experiment status SUITE -o DIR"},
+      {{"experiment", "plan", "ci", "-o", "x"}, "experiment run SUITE -o DIR --dry-run"},
+      {{"experiment", "status", "x"}, "experiment table DIR"},
+      {{"synth", "preview", "x"}, "synth render SCENE -o FILE --preview"},
+      {{"import", "-o", "x"}, "info --left L"},
       {{"experiment", "times", "x"}, "experiment table --times"},
       {{"compare", "a", "b"}, "experiment compare"},
       {{"figures", "a", "-o", "x"}, "plot DIR"},
-      {{"eval", "--groundtruth", "a", "--estimate", "b"}, "eval trajectory, eval boxes or eval"}};
+      {{"eval", "--groundtruth", "a", "--estimate", "b"}, "eval trajectory or eval boxes"}};
   for (const Wrong& one : former) {
     ExpectError(RunProgram(one.arguments), ", now clustervo " + one.message, 2);
   }
@@ -216,37 +219,21 @@ TEST_F(Cli, HelpAndVersion) {
 }
 
 TEST_F(Cli, ListsOptionsAndVariants) {
-  const ProcessResult options = RunProgram({"list", "options", "--json"});
-  ASSERT_EQ(options.exit_code, 0);
-  for (const Json& option : ParseJson(options.out, "options")) {
-    for (const char* field :
-         {"path", "type", "unit", "min", "max", "default", "meaning", "source"}) {
-      EXPECT_TRUE(option.contains(field)) << option["path"] << " " << field;
-    }
-  }
   EXPECT_THAT(RunProgram({"list", "options"}).out, HasSubstr("orb.features"));
-  const ProcessResult variants = RunProgram({"list", "variants", "--json"});
-  EXPECT_EQ(ParseJson(variants.out, "variants")[0]["name"], "full");
+  EXPECT_THAT(RunProgram({"list", "variants"}).out, testing::ContainsRegex("name .*\nfull "));
+  EXPECT_THAT(RunProgram({"list", "metrics"}).out, HasSubstr("camera_ate "));
 }
 
 TEST_F(Cli, InfoDescribesAFolder) {
-  const ProcessResult info = RunProgram({"info", tiny(), "--json", "--frames", "1:3"});
-  ASSERT_EQ(info.exit_code, 0) << info.err;
-  const Json json = ParseJson(info.out, "info");
-  EXPECT_EQ(json["type"], "kitti-odometry");
-  EXPECT_EQ(json["frames"], 2);
-  EXPECT_EQ(json["total_frames"], 3);
-  EXPECT_EQ(json["first_frame"], 1);
-  EXPECT_EQ(json["groundtruth"], "official");
-  EXPECT_NEAR(json["median_rate_hz"].get<double>(), 10.0, 1e-9);
-  EXPECT_EQ(json["camera"]["width_px"], test::kTinyWidth_px);
-  EXPECT_LT(json["rows"]["median_row_error_px"].get<double>(), 0.5);
-  EXPECT_NEAR(json["rows"]["median_disparity_px"].get<double>(), 10.0, 0.5);
   folder_.Write("tiny/detections/poor.txt", "");
-  EXPECT_THAT(
-      RunProgram({"info", tiny()}).out,
-      AllOf(HasSubstr("baseline 0.5 m"), HasSubstr("10 Hz, duration 0.2 s"),
-            HasSubstr("0 boxes; --detections has poor"), testing::ContainsRegex("row error +0")));
+  const ProcessResult info = RunProgram({"info", tiny(), "--frames", "1:3"});
+  ASSERT_EQ(info.exit_code, 0) << info.err;
+  for (const char* line :
+       {"type +kitti-odometry", "frames +2 .1 to 2 of 3.", "rate +10 Hz, duration 0.1 s",
+        "baseline 0.5 m", "row error +0", "median disparity (9[.]|10)",
+        "ground truth +official, 2 ", "detections +0 boxes; --detections has poor"}) {
+    EXPECT_THAT(info.out, testing::ContainsRegex(line));
+  }
 }
 
 TEST_F(Cli, InfoListsTheSequencesBelowAFolder) {

@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `clustervo eval trajectory`, `boxes` and `clock` as processes.
+// `clustervo eval trajectory` and `boxes` as processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/files/json/json.h"
-#include "experiments/metrics/trajectory.h"
 #include "tests/experiments/cli/process.h"
 
 namespace cvo::eval_test {
@@ -53,11 +50,6 @@ TEST_F(Eval, MatchesTumPosesByTime) {
               HasSubstr("3 poses matched, unmatched: 1 of the ground truth, 1 of the estimate"));
   ExpectError(Evaluate(truth, estimate, {"--max-time-difference", "0.0001"}),
               "found 0 poses that match", 1);
-  EXPECT_EQ(Evaluate(truth, estimate).err, "");
-  const std::string other = Write("other.tum",
-                                  "0.1 1 0 0 0 0 0 1\n0.2 2 0 1 0 0 0 1\n7 3 1 1 0 0 0 1\n"
-                                  "8 0 0 0 0 0 0 1\n9 0 0 0 0 0 0 1\n");
-  EXPECT_THAT(Evaluate(truth, other).err, HasSubstr("note: only 2 of 5 poses of "));
 }
 
 TEST_F(Eval, ReadsKittiPosesLineByLine) {
@@ -81,7 +73,7 @@ TEST_F(Eval, BadTrajectories) {
   ExpectError(bad("1 0 0 0 0 0 0 1\n0 1 0 0 0 0 0 1\n"), "bad.tum:2", 1);
   ExpectError(bad("# no pose\n"), "bad.tum", 1);
   ExpectError(bad("1 2 3\n"), "bad.tum:1", 1);
-  ExpectError(bad("1 0 0 0 0 1 0 0 0 0 1 0\n"), "kitti format", 1);
+  ExpectError(bad("1 0 0 0 0 1 0 0 0 0 1 0\n"), "found 2 poses, expected 1, as many as", 1);
   ExpectError(Evaluate(good, "/no/such/file"), "/no/such/file", 1);
   ExpectError(Evaluate(good, good, {"--max-time-difference", "nan"}), "--max-time-difference", 2);
 }
@@ -137,7 +129,7 @@ TEST_F(EvalSequence, BodiesWithoutTruthAreNotScored) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("1 object-frames"), HasSubstr("objects not scored")));
 }
 
-// Flags of other commands are refused, and the JSON states the contract.
+// Flags of other commands are refused.
 TEST_F(EvalSequence, ScoresBoxes) {
   const std::string row = "0 1 Car 0 0 0 10 20 90 80 1.5 1.6 3.9 1 2 30 0.1";
   const std::string labels = folder_.Write("labels.txt", row + "\n").string();
@@ -145,15 +137,8 @@ TEST_F(EvalSequence, ScoresBoxes) {
   const Arguments boxes = {"eval", "boxes", "--labels", labels, "--estimate", rows};
   const auto run = [&boxes](const Arguments& more) { return RunProgram(With(boxes, more)); };
   EXPECT_THAT(run({}).out, HasSubstr("bv           11      9.09"));
-  const Json json = ParseJson(run({"--iou", "0.25", "--json"}).out, "eval boxes");
-  EXPECT_EQ(json["kind"], "average precision");
-  EXPECT_EQ(json["average_precision"][1]["contract"]["least_overlap"], 0.25);
-  EXPECT_EQ(json["average_precision"][1]["levels"][0]["ap11"], 1.0 / 11.0);
-  const Json tracking =
-      ParseJson(run({"--score", "tracking", "--json"}).out, "eval boxes")["tracking"];
-  EXPECT_EQ(tracking.size(), 2U);
-  EXPECT_EQ(tracking[1]["overlap"], "3d");
-  EXPECT_EQ(tracking[1]["clear"]["mota"], 1.0);
+  EXPECT_THAT(run({"--iou", "0.25"}).out, HasSubstr("IoU > 0.25"));
+  EXPECT_THAT(run({"--score", "tracking"}).out, testing::ContainsRegex("3d +100.00 .*100.00 "));
   for (const Arguments& wrong : {Arguments{"--iou", "1.5"},
                                  {"--class", "Tram"},
                                  {"--sequence", tiny()},
@@ -167,35 +152,6 @@ TEST_F(EvalSequence, ScoresBoxes) {
   ExpectError(RunProgram({"eval", "boxes", "--score", "tracking", "--labels", Path("tiny"),
                           "--estimate", Path("tiny")}),
               "");
-}
-
-// The trajectory of a camera that rotates back and forth, with 10 poses per second and a clock that
-// is `ahead_s` ahead.
-std::string TurningCamera(double ahead_s) {
-  Trajectory trajectory;
-  for (int i = 0; i < 100; ++i) {
-    const double angle = 0.3 * std::sin(0.25 * i) + 0.2 * std::sin(0.41 * i);
-    trajectory.push_back({std::llround(1e9 * (1.0 + 0.1 * i + ahead_s)),
-                          {ExpSo3({0.0, angle, 0.0}), Eigen::Vector3d::Zero()}});
-  }
-  return FormatTumTrajectory(trajectory);
-}
-
-TEST_F(EvalSequence, EstimatesTheClockOffsetOfTheTruth) {
-  const std::string truth = folder_.Write("truth.tum", TurningCamera(0.25)).string();
-  const std::string estimate = folder_.Write("estimate.tum", TurningCamera(0.0)).string();
-  const Arguments clock = {"eval",          "clock", "--within",   "1",
-                           "--groundtruth", truth,   "--estimate", estimate};
-  const ProcessResult result = RunProgram(clock);
-  ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, HasSubstr("clock offset (ground truth minus estimate): +0.2500"));
-  const Json json = ParseJson(RunProgram(With(clock, {"--json"})).out, "eval clock");
-  EXPECT_NEAR(json["clock"]["offset_s"].get<double>(), 0.25, 1e-3);
-  ExpectError(RunProgram({"eval", "clock", "--groundtruth", truth, "--estimate", poses()}),
-              "clocks are compared by times");
-  const Arguments still = {"eval", "clock", "--sequence", tiny(), "--estimate", poses()};
-  ExpectError(RunProgram(still), "2 pairs of poses");
-  ExpectError(RunProgram(With(still, {"-o", out()})), "has no flag", 2);
 }
 
 }  // namespace

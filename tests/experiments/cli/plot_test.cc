@@ -170,17 +170,6 @@ TEST_F(CliPlot, BadInputGivesOneLine) {
   EXPECT_FALSE(fs::exists(out())) << "nothing is written";
 }
 
-TEST_F(CliPlot, DrawingsAreReproducible) {
-  const Arguments arguments = {Tum("a.txt"), Tum("b<i>.txt", 2.0)};
-  ASSERT_EQ(Plot(arguments).exit_code, 0);
-  const std::string svg = test::ReadFile(out());
-  EXPECT_THAT(
-      svg, AllOf(StartsWith("<svg"), HasSubstr("Trajectories against a"),
-                 HasSubstr(">distance</text>"), HasSubstr(">(m)</text>"), HasSubstr("b&lt;i&gt;")));
-  ASSERT_EQ(Plot(arguments).exit_code, 0);
-  EXPECT_EQ(test::ReadFile(out()), svg);
-}
-
 // The figures of a suite, on hand-made results.
 
 constexpr char kHostile[] = "room <script>alert(1)</script>";
@@ -267,7 +256,7 @@ TEST(CliFigures, PdfIsReproducible) {
   if (run.err.find("no rsvg-convert") != std::string::npos) GTEST_SKIP() << run.err;
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const std::string pdf = test::ReadFile(suite.out() / "ablation.pdf");
-  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
   suite.Draw(one);
   EXPECT_TRUE(test::ReadFile(suite.out() / "ablation.pdf") == pdf);
 }

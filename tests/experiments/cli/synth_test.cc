@@ -228,7 +228,8 @@ TEST_F(CliSynthRender, BadScenesGiveOneLine) {
 TEST_F(CliSynthRender, PreviewDrawsASheet) {
   RenderTiny({"--frames", "0:1"});
   if (IsSkipped() || HasFatalFailure()) return;
-  const ProcessResult preview = Run({"synth", "preview", "tiny", "-o", Path("sheet.png"), "-q"});
+  const ProcessResult preview =
+      Run({"synth", "render", "tiny", "--preview", "-o", Path("sheet.png"), "-q"});
   EXPECT_EQ(preview.exit_code, 0) << preview.err;
   EXPECT_GT(fs::file_size(out("sheet.png")), 100'000U);
 }

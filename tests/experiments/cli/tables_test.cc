@@ -21,7 +21,6 @@ using test::SuiteResults;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 using testing::StartsWith;
 
 ProcessResult MakeTable(const fs::path& folder) {
@@ -164,19 +163,6 @@ TEST(CliTables, ConflictingFlagsAreAnError) {
        "--format: does not apply with --times"},
       {test::With(compare, {folder}), "DIR: found 3 suites, expected 2"}};
   for (const auto& [arguments, message] : cases) ExpectError(RunProgram(arguments), message, 2);
-}
-
-TEST(CliTables, CompareHasTheSameFormats) {
-  SuiteResults before;
-  SuiteResults after;
-  before.Add(Result());
-  Json better = Result();
-  better["metrics"][1]["value"] = 0.05;
-  after.Add(better);
-  const std::string csv = RunProgram({"experiment", "compare", before.Written().string(),
-                                      after.Written().string(), "--format", "csv"})
-                              .out;
-  EXPECT_THAT(csv, AllOf(HasSubstr(",-0.01249"), Not(HasSubstr("changed"))));
 }
 
 std::string WriteRun(const test::TempFolder& folder, const std::string& variant, double error_m) {

@@ -215,20 +215,6 @@ TEST_F(Clusters, FramesBeforeConfirmationHaveOnlyARefinedPose) {
   EXPECT_EQ(Track()[0], "4");
 }
 
-TEST_F(Clusters, TheResultFileListsClusters) {
-  frames_.push_back(frames_[0]);
-  frames_[1].frame = 5;
-  frames_[1].report.clusters[0].status = ClusterStatus::kPredicted;
-  const Json json = ParseJson(test::Collected(WriteResultFile, Run()), "result");
-  ASSERT_EQ(json["clusters"].size(), 1U);
-  const Json& row = json["clusters"][0];
-  EXPECT_EQ(row["id"], 3);
-  EXPECT_EQ(row["frames"], 2);
-  EXPECT_EQ(row["tracked"], 1);
-  EXPECT_EQ(row["first_frame"], 4);
-  EXPECT_EQ(row["last_frame"], 5);
-}
-
 TEST(LandmarkRows, HaveTheFeatureTheLabelsAndTheTruth) {
   StereoFrame frame;
   frame.features.resize(2);

@@ -51,13 +51,6 @@ TEST(BuildIdentity, IgnoresTheCommit) {
   EXPECT_NE(IdentityOf(build), hash);
 }
 
-TEST(BuildIdentity, DependsOnTheProcessorLevel) {
-  reports::BuildInfo build = SomeBuild();
-  const std::string hash = IdentityOf(build);
-  build.cpu_level = "plain x86-64";
-  EXPECT_NE(IdentityOf(build), hash);
-}
-
 TEST(JobIdentity, IsStable) {
   // A change here orphans every recorded result: raise the schema version with it.
   EXPECT_EQ(JobIdentity(SomeJob()),

@@ -19,7 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::NamesIn;
-using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -42,10 +41,13 @@ class RunnerCache : public testing::Test {
 
   fs::path root() const { return temp_.path() / "cache"; }
   fs::path features() const { return root() / "frontend"; }
-  JobCache Cache() {
-    FileHashHooks hooks;
-    hooks.notice = [this](const std::string& line) { notices_.push_back(line); };
-    return {root(), 1'000'000'000, 1, hooks};
+  FrontEndCache Cache() {
+    return {features(), 1'000'000'000,
+            [this](const std::string& line) { notices_.push_back(line); }};
+  }
+  static void Serve(const FrontEndCache& cache, RunRequest& request) {
+    request.images = HashImages(request.sequence);
+    request.cache = &cache;
   }
   RunRequest Request(const char* variant = "static", int threads = 1) const {
     RunRequest request{.sequence = sequence_, .variant = FindVariant(variant), .options = {}};
@@ -64,8 +66,8 @@ class RunnerCache : public testing::Test {
   }
   // Runs with the cache; `hit` becomes whether the features came from it.
   std::string Cached(RunRequest request, bool& hit) {
-    const JobCache cache = Cache();
-    cache.Serve(request);
+    const FrontEndCache cache = Cache();
+    Serve(cache, request);
     const RunResult run = RunSequence(request).value();
     hit = EndsWithStage(run, "load_features");
     EXPECT_NE(hit, EndsWithStage(run, "decode"));
@@ -90,17 +92,6 @@ TEST_F(RunnerCache, WritesTheSameBytesForEveryVariantAndNumberOfThreads) {
   }
   EXPECT_THAT(NamesIn(features()), SizeIs(1));
   EXPECT_THAT(notices_, IsEmpty());
-}
-
-TEST_F(RunnerCache, ACacheHitReadsNoImage) {
-  const JobCache cache = Cache();
-  RunRequest request = Request();
-  cache.Serve(request);
-  const std::string plain = ResultOf(request);
-  const std::string job = IdentifyJob(request);
-  fs::rename(sequence_.folder / "image_0", sequence_.folder / "elsewhere");
-  EXPECT_EQ(ResultOf(request), plain);
-  EXPECT_EQ(IdentifyJob(request), job);
 }
 
 TEST_F(RunnerCache, ExtractsAgainOnlyIfTheFeaturesWouldChange) {
@@ -134,9 +125,9 @@ TEST_F(RunnerCache, DamageCostsTimeOnce) {
     damaged[at] = static_cast<char>(damaged[at] ^ 16);
     WriteFileBytes(entry, i % 3 == 2 ? whole.substr(0, at) : damaged);
     notices_.clear();
-    const JobCache cache = Cache();
+    const FrontEndCache cache = Cache();
     RunRequest request = Request("static", 1 + static_cast<int>(i % 3));
-    cache.Serve(request);
+    Serve(cache, request);
     EXPECT_EQ(ResultOf(request), plain) << at;
     EXPECT_THAT(notices_, SizeIs(1)) << at;
     EXPECT_FALSE(fs::exists(entry)) << at;
@@ -146,28 +137,18 @@ TEST_F(RunnerCache, DamageCostsTimeOnce) {
 }
 
 TEST_F(RunnerCache, AnUnfinishedRunLeavesNoEntry) {
-  const JobCache cache = Cache();
+  const FrontEndCache cache = Cache();
   RunRequest request = Request();
-  cache.Serve(request);
+  Serve(cache, request);
   request.stop = [] { return true; };
   EXPECT_FALSE(RunSequence(request));
   EXPECT_THAT(NamesIn(features()), IsEmpty());
-  request.stop = [] { return false; };
-  request.strict = true;
-  const std::string problem = ErrorMessage([&] { (void)RunSequence(request); });
-  EXPECT_THAT(problem, HasSubstr("000002.png"));
-  EXPECT_THAT(NamesIn(features()), IsEmpty());
-
-  request.strict = false;
-  (void)RunSequence(request);
-  request.strict = true;  // a problem recorded in the cache is refused alike
-  EXPECT_EQ(ErrorMessage([&] { (void)RunSequence(request); }), problem);
 }
 
 TEST_F(RunnerCache, ImagesChangedAfterHashingAreNotStored) {
-  const JobCache cache = Cache();
+  const FrontEndCache cache = Cache();
   RunRequest request = Request();
-  cache.Serve(request);
+  Serve(cache, request);
   test::CutFile(sequence_.images[4].left);
   const RunResult run = RunSequence(request).value();
   EXPECT_EQ(ResultOf(run), ResultOf(Request()));

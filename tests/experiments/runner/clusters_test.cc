@@ -160,23 +160,6 @@ TEST_F(RunnerClusters, FilesOfAnEarlierRunAreRemoved) {
   EXPECT_FALSE(fs::exists(Out() / "clusters"));
 }
 
-TEST_F(RunnerClusters, WritesTheSameBytesForAnyNumberOfThreads) {
-  RunRequest request = Request();
-  request.landmarks = true;
-  const std::vector<std::string> names = {"result.json",   "objects.csv",    "tracks.kitti",
-                                          "landmarks.csv", "clusters/1.tum", "clusters/2.tum"};
-  std::vector<std::string> first;
-  for (const int threads : {1, 2, 4}) {
-    request.threads = threads;
-    EXPECT_EQ(RunJob(request, Out())->job, IdentifyJob(request));
-    std::vector<std::string> files;
-    for (const std::string& name : names) files.push_back(test::ReadFile(Out() / name));
-    if (first.empty()) first = files;
-    EXPECT_EQ(files, first) << threads;
-  }
-  EXPECT_EQ(ReadJson(Out() / "result.json")["clusters"].size(), 2U);
-}
-
 TEST_F(RunnerClusters, ClassesAndOracleArePartOfTheJob) {
   RunRequest request = Request();
   const std::string job = IdentifyJob(request);

@@ -21,7 +21,6 @@
 namespace cvo::runner_test {
 namespace {
 
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -200,21 +199,6 @@ TEST_F(Runner, SkipsAFrameThatCannotBeDecodedAndReportsWhy) {
   }
 }
 
-TEST_F(Runner, StrictRefusesAFrameThatCannotBeDecoded) {
-  test::CutFile(Right(5));
-  RunRequest request = Request();
-  request.strict = true;
-  for (const int threads : {1, 2}) {
-    request.threads = threads;
-    try {
-      (void)RunSequence(request);
-      FAIL();
-    } catch (const Error& error) {
-      EXPECT_THAT(error.what(), AllOf(HasSubstr(Right(5).string()), HasSubstr("expected")));
-    }
-  }
-}
-
 TEST_F(Runner, EstimatorErrorsGiveAFailedResult) {
   const std::string content = RunSequence(Request())->content;
   RunRequest request = Request(kFailing);
@@ -253,7 +237,7 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
   options.orb.features = 60;
   TaskPool pool(1);
   const std::vector<StereoFeature> features =
-      OpenFrames({sequence_, options, {}}, pool)->Next().features;
+      FrameSource({sequence_, options, {}}, pool).Next().features;
   const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
   const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
   const std::vector<StereoFeature> expected =
@@ -261,7 +245,7 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
   ASSERT_THAT(features, SizeIs(expected.size()));
   for (std::size_t i = 0; i < features.size(); ++i) EXPECT_EQ(features[i].z_px, expected[i].z_px);
   options.stereo.right_features = 1.0;
-  EXPECT_NE(OpenFrames({sequence_, options, {}}, pool)->Next().features.size(), expected.size());
+  EXPECT_NE(FrameSource({sequence_, options, {}}, pool).Next().features.size(), expected.size());
 }
 
 TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
@@ -277,7 +261,7 @@ TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
   sequence_.detections = {box};
   TaskPool pool(1);
   const std::vector<StereoFeature> features =
-      OpenFrames({sequence_, options, {}}, pool)->Next().features;
+      FrameSource({sequence_, options, {}}, pool).Next().features;
   const cv::Mat left = LoadGrey(sequence_.images[0].left).grey;
   const cv::Mat right = LoadGrey(sequence_.images[0].right).grey;
   const auto extract = [&](const std::vector<cv::Rect2d>& boxes) {

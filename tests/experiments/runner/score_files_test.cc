@@ -255,13 +255,6 @@ void KeepPart(Sequence& sequence) {
                 [](const ObjectBox& box) { return box.frame < 2 || box.frame > 5; });
 }
 
-TEST(SystemFiles, AKittiCameraHasALinePerFrame) {
-  const SystemDrive drive;
-  const SystemOutcome outcome = drive.Score(Rows(), KittiCamera());
-  EXPECT_LT(ValueOf(outcome, "camera_ate"), 1e-9);
-  EXPECT_LT(ValueOf(outcome, "object_ate"), 1e-9);
-}
-
 TEST(SystemFiles, FramesOutsideTheRangeAreIgnored) {
   SystemDrive drive;
   KeepPart(drive.sequence());
@@ -274,16 +267,6 @@ TEST(SystemFiles, FramesOutsideTheRangeAreIgnored) {
     EXPECT_LT(ValueOf(outcome, "camera_ate"), 1e-9);
     EXPECT_LT(ValueOf(outcome, "object_ate"), 1e-9);
   }
-}
-
-TEST(SystemFiles, RowsMayComeInAnyOrder) {
-  const SystemDrive drive;
-  const auto only = [](int track) {
-    return Rows([track](const ReportedBox& said, int) {
-      return said.track == track ? std::optional(said) : std::nullopt;
-    });
-  };
-  EXPECT_EQ(ValueOf(drive.Score(only(1) + only(0)), "object_coverage"), 1.0);
 }
 
 class BadFiles : public testing::Test {

@@ -97,7 +97,6 @@ TEST_F(LocalEngineTest, StopsAProcessAndItsDescendantsAtTheTimeLimit) {
   TaskEnd end;
   EXPECT_LT(Seconds([&] { end = RunOne(task); }), 5.0);
   EXPECT_EQ(end.message, "stopped after 0.3 s");
-  EXPECT_GE(end.seconds, 0.3);
   EXPECT_TRUE(WaitUntil([&] { return !IsAlive(Pid()); }));
 }
 

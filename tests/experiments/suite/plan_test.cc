@@ -113,8 +113,7 @@ TEST_F(SuitePlan, MissingInputIsReportedNotThrown) {
   EXPECT_THAT(missing(FolderSuite("2011_09_26_drive_0009_sync")),
               HasSubstr("no 2011_09_26_drive_0009_sync below"));
   EXPECT_THAT(missing(FolderSuite("07")), HasSubstr("both "));
-  EXPECT_EQ(missing(FolderSuite("a/O7")),
-            StrCat("no a/O7 (did you mean a/07, b/07?) below ", data().string()));
+  EXPECT_EQ(missing(FolderSuite("a/O7")), StrCat("no a/O7 below ", data().string()));
   EXPECT_EQ(missing(FolderSuite("a/07")), "");
   EXPECT_THAT(missing(FolderSuite("bad")), HasSubstr("calib.txt"));
   Json json = FolderSuite("a/07");
@@ -230,16 +229,16 @@ TEST_F(SuitePlan, TheJobOfARenderedSceneHasTheIdentityOfItsBytes) {
   const Sequence sequence = OpenSequence(RequestOf(suite, job, ""));
   EXPECT_EQ(sequence.name, "tiny");
   EXPECT_FALSE(sequence.detections.empty());
-  EXPECT_EQ(job.content, ContentHash(sequence, FileHashes().OfImages(sequence)));
+  EXPECT_EQ(job.content, ContentHash(sequence, HashImages(sequence)));
   EXPECT_EQ(job.job, IdentifyJob({.sequence = sequence,
                                   .variant = FindVariant("full"),
                                   .options = OptionsOf(suite, "full", {}),
                                   .seed = 1}));
   // A scene with a missing or truncated file is rendered again.
-  EXPECT_EQ(FindSceneDamage(render.output, {}), std::nullopt);
+  EXPECT_EQ(FindSceneDamage(render.output), std::nullopt);
   fs::resize_file(render.output / "image_0" / "000001.png", 10);
-  EXPECT_EQ(FindSceneDamage(render.output, {}, {0, 1}), std::nullopt);
-  EXPECT_THAT(FindSceneDamage(render.output, {}).value_or(""),
+  EXPECT_EQ(FindSceneDamage(render.output, {0, 1}), std::nullopt);
+  EXPECT_THAT(FindSceneDamage(render.output).value_or(""),
               HasSubstr("image_0/000001.png has changed since it was written"));
   EXPECT_EQ(Build(suite).plan.jobs.at(0).missing, kNotRendered);
 }

@@ -205,26 +205,6 @@ TEST_F(RunPlanTest, AnUnwritableFailureRecordEndsTheRun) {
   EXPECT_EQ(Run(plan_).done, 3U);
 }
 
-TEST_F(RunPlanTest, AFullDiskEndsTheRunAndLosesNothing) {
-  if (::mount("tmpfs", out().c_str(), "tmpfs", 0, "size=20m") != 0) {
-    GTEST_SKIP() << "cannot mount a small disk: " << std::strerror(errno);
-  }
-  Script("b1", "head -c 10000000 /dev/zero > filler; exit 1");
-  const std::string problem = ErrorMessage([&] { Run(plan_); });
-  const std::vector<std::string> started = Started();
-  const std::string again = ErrorMessage([&] { Run(plan_); });
-  fs::remove(out() / "filler");
-  Script("b1", ":");
-  const std::size_t done = Run(plan_).done;
-  const std::vector<std::string> resumed = Started();
-  ::umount(out().c_str());
-  EXPECT_THAT(problem, HasSubstr("found a full disk, "));
-  EXPECT_THAT(again, HasSubstr("found a full disk, "));
-  EXPECT_THAT(started, ElementsAre("a1", "b1"));
-  EXPECT_THAT(resumed, ElementsAre("a2", "b1"));  // each is now the first of its input
-  EXPECT_EQ(done, 4U);
-}
-
 TEST_F(RunPlanTest, PreparationsReportFailures) {
   const auto task = [&](const std::string& name, const std::string& script) {
     return Task{.name = name, .argv = {"/bin/sh", "-c", script}, .log = run_.folder.log(name)};
