@@ -106,16 +106,6 @@ struct StaticNoSpatialTrack : Static {
   using Frames = TemporalFrames;
 };
 
-struct StaticCornersOnly : Static {
-  static constexpr std::string_view kName = "static_corners_only";
-  static constexpr std::string_view kChanges =
-      "static; matched corners are not aligned with the first patch of their landmark";
-  static void SetDefaults(Options& options) {
-    Static::SetDefaults(options);
-    options.tracking.align_patches = false;
-  }
-};
-
 struct StaticShiftOnly : Static {
   static constexpr std::string_view kName = "static_shift_only";
   static constexpr std::string_view kChanges =

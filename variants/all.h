@@ -77,7 +77,6 @@ using NamedVariants = std::tuple<Listed<Full, Full, 0>,                         
                                  Listed<Full, Static>,                                         //
                                  Listed<Static, StaticNoMarginalization>,                      //
                                  Listed<Static, StaticNoSpatialTrack>,                         //
-                                 Listed<Static, StaticCornersOnly, 0>,                         //
                                  Listed<Static, StaticShiftOnly, 0>,                           //
                                  Listed<Static, StaticNoRowEvidence, 0>,                       //
                                  Listed<Static, StaticTrustCalibration, 0>>;
