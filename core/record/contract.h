@@ -186,7 +186,7 @@ enum class Aggregation {
   kRmsOfDisparities,
   kMeanSquareOfClaimed
 };
-constexpr std::array<const char*, 30> EnumNames(Aggregation) {
+constexpr std::array<const char*, 32> EnumNames(Aggregation) {
   return {
       "fraction with an estimate",
       "root mean square of position errors",
