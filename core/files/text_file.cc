@@ -71,7 +71,7 @@ std::string Quoted(std::string_view text) {
 
 TextFile::TextFile(fs::path path) : path_(std::move(path)) {
   const std::string bytes = ReadFileBytes(path_);
-  std::size_t begin = 0;
+  std::size_t begin = bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   while (begin < bytes.size()) {
     const std::size_t end = bytes.find('\n', begin);
     ends_with_newline_ = end != std::string::npos;
@@ -93,21 +93,21 @@ bool TextFile::Unterminated(std::size_t index) const {
   return !ends_with_newline_ && index + 1 == lines_.size();
 }
 
-TextRow::TextRow(const TextFile& file, std::size_t index) : file_(file), index_(index) {
-  constexpr std::string_view kBlanks = " \t";
+TextRow::TextRow(const TextFile& file, std::size_t index, std::string_view separators)
+    : file_(&file), index_(index) {
   const std::string_view line = file.line(index);
-  std::size_t begin = line.find_first_not_of(kBlanks);
+  std::size_t begin = line.find_first_not_of(separators);
   while (begin != std::string_view::npos) {
-    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
+    const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
     columns_.push_back(line.substr(begin, end - begin));
-    begin = line.find_first_not_of(kBlanks, end);
+    begin = line.find_first_not_of(separators, end);
   }
 }
 
 void TextRow::ExpectColumns(std::size_t count, const std::string& what) const {
   if (columns_.size() == count) return;
   Fail(StrCat(columns_.size(), " columns",
-              file_.Unterminated(index_) ? " in a last line without a line end" : ""),
+              file_->Unterminated(index_) ? " in a last line without a line end" : ""),
        StrCat(count, " columns, ", what));
 }
 
@@ -136,7 +136,7 @@ std::int64_t TextRow::SecondsNs(std::size_t column) const {
 }
 
 void TextRow::Fail(const std::string& found, const std::string& expected) const {
-  ThrowError(file_.Where(index_), found, expected);
+  ThrowError(file_->Where(index_), found, expected);
 }
 
 void TextRow::FailColumn(std::size_t column, const char* expected) const {

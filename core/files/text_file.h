@@ -21,7 +21,7 @@ void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes);
 // Formats text from a file for a message: in quotes, at most 60 characters, always on one line.
 std::string Quoted(std::string_view text);
 
-// A text file as lines without their line ends ("\n" or "\r\n"; the last line may have none). Drops
+// A text file, without a byte order mark, as lines without their line ends ("\n" or "\r\n"; the last line may have none). Drops
 // blank lines at the end.
 class TextFile {
  public:
@@ -41,11 +41,11 @@ class TextFile {
   bool ends_with_newline_ = true;
 };
 
-// One line of a TextFile, split into columns at blanks. The functions throw Error with file, line,
+// One line of a TextFile, split into columns at blanks or other separators. The functions throw Error with file, line,
 // column, what was found and what was expected if they cannot parse it. The file must outlive it.
 class TextRow {
  public:
-  TextRow(const TextFile& file, std::size_t index);
+  TextRow(const TextFile& file, std::size_t index, std::string_view separators = " \t");
 
   std::size_t size() const { return columns_.size(); }
   void ExpectColumns(std::size_t count, const std::string& what) const;
@@ -59,7 +59,7 @@ class TextRow {
  private:
   [[noreturn]] void FailColumn(std::size_t column, const char* expected) const;
 
-  const TextFile& file_;
+  const TextFile* file_;
   std::size_t index_;
   std::vector<std::string_view> columns_;
 };

@@ -96,7 +96,4 @@ void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left, 
 void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,
                     const std::string& reason, Sequence& sequence);
 
-// Reads the poses of the body (world_from_body) from a EuRoC file. Throws Error.
-Trajectory ReadEurocPoses(const std::filesystem::path& path);
-
 }  // namespace cvo

@@ -50,7 +50,10 @@ OptionalPoses ReadKittiAtFrames(const std::filesystem::path& path, const Sequenc
 // ms; empty for frames without a pose. Ignores poses before and after the part of a folder that is
 // read. Throws Error with file and line for any other pose that belongs to no frame.
 OptionalPoses ReadTumAtFrames(const std::filesystem::path& path, const Sequence& sequence) {
-  const Trajectory trajectory = ReadTumTrajectory(path);
+  const TrajectoryFile file = ReadTrajectory(path);
+  if (file.left_out > 0)
+    ThrowError(path.string(), StrCat(file.left_out, " rows of NaN"), "numbers");
+  const Trajectory& trajectory = file.poses;
   Trajectory frames;
   for (const std::int64_t time_ns : sequence.timestamps_ns) frames.push_back({time_ns, {}});
   const TimeAssociation association = AssociateByTime(frames, trajectory);
@@ -62,7 +65,7 @@ OptionalPoses ReadTumAtFrames(const std::filesystem::path& path, const Sequence&
     const std::int64_t time_ns = trajectory[i].timestamp_ns;
     const bool outside = time_ns < first_ns || time_ns > last_ns;
     if (matched[i] || (outside && IsPart(sequence))) continue;
-    ThrowError(WhereTumPose(path, i), "time " + FormatSecondsNs(time_ns),
+    ThrowError(StrCat(path.string(), ":", file.lines[i]), "time " + FormatSecondsNs(time_ns),
                StrCat("that of a frame, one pose for each, to within ",
                       FormatSecondsNs(kDefaultAssociation_ns), " s; frames are from ",
                       FormatSecondsNs(first_ns), " to ", FormatSecondsNs(last_ns), " s"));
@@ -73,8 +76,8 @@ OptionalPoses ReadTumAtFrames(const std::filesystem::path& path, const Sequence&
 // Reads camera poses from such a TUM file, or from a KITTI file with one line per frame of the
 // folder or of the part that is read. Also throws Error if fewer than two frames have a pose.
 OptionalPoses ReadCameraAtFrames(const std::filesystem::path& path, const Sequence& sequence) {
-  OptionalPoses poses = DetectPoseFormat(path) == "tum" ? ReadTumAtFrames(path, sequence)
-                                                        : ReadKittiAtFrames(path, sequence);
+  OptionalPoses poses =
+      IsKittiPoseFile(path) ? ReadKittiAtFrames(path, sequence) : ReadTumAtFrames(path, sequence);
   const auto found =
       std::count_if(poses.begin(), poses.end(), [](const auto& pose) { return pose.has_value(); });
   if (found < 2) {

@@ -175,7 +175,7 @@ std::vector<Parser> SequenceParsers() {
       {"euroc_poses",
        {"#timestamp, x, y, z, qw, qx, qy, qz\n1403636580838555648,4.6,-1.7,0.8,1,0,0,0,9\n"
         "1403636580843555328,4.6,-1.7,0.8,0.6,0,0.8,0,9\n"},
-       [](const fs::path& file) { ReadEurocPoses(file); }},
+       [](const fs::path& file) { ReadTrajectory(file); }},
       {"objects.csv",
        {StrCat(
            CsvHeader<SceneBody>(), "\n",

@@ -4,6 +4,7 @@
 // runs.
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <numbers>
 #include <optional>
 
@@ -110,16 +111,6 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kStep_ns = 1'000'000'000;  // between poses without timestamps
 
-bool HasCommas(const fs::path& path) {
-  const TextFile file(path);
-  for (std::size_t i = 0; i < file.size(); ++i) {
-    if (!file.line(i).empty() && !file.line(i).starts_with('#')) {
-      return file.line(i).find(',') != std::string::npos;
-    }
-  }
-  return false;
-}
-
 Trajectory ReadKittiTrajectory(const fs::path& path) {
   Trajectory trajectory;
   for (const RigidTransform& pose : ReadKittiPoses(path)) {
@@ -136,7 +127,10 @@ PlotInput ReadRunInput(const std::string& path) {
   }
   const reports::RunSummary run = reports::ReadRun(result, {});
   reports::RunDetail detail = reports::ReadRunDetail(path);
-  PlotInput input{path, run.variant, run.sequence.name, {}, true, {}, {}};
+  PlotInput input;
+  input.path = path;
+  input.name = run.variant;
+  input.sequence = run.sequence.name;
   for (const reports::CameraFrame& frame : detail.camera) {
     if (frame.truth)
       input.truth.push_back({frame.timestamp_ns, reports::TransformOf(*frame.truth)});
@@ -158,11 +152,16 @@ PlotInput ReadPlotInput(const std::string& path) {
   } else {
     input.path = path;
     input.name = fs::path(path).stem().string();
-    if (HasCommas(path)) {
-      input.poses = ReadEurocPoses(path);
+    input.timed = !IsKittiPoseFile(path);
+    if (input.timed) {
+      TrajectoryFile file = ReadTrajectory(path);
+      input.poses = std::move(file.poses);
+      input.has_rotations = file.has_rotations;
+      if (file.left_out > 0) {
+        std::cerr << "note: " << path << ": " << file.left_out << " rows of NaN left out\n";
+      }
     } else {
-      input.timed = DetectPoseFormat(path) == "tum";
-      input.poses = input.timed ? ReadTumTrajectory(path) : ReadKittiTrajectory(path);
+      input.poses = ReadKittiTrajectory(path);
     }
   }
   if (input.poses.empty()) ThrowError(path, "no pose", "a trajectory");

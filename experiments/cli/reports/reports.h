@@ -119,12 +119,13 @@ struct PlotInput {
   std::string sequence;                     // runs only
   Trajectory poses;                         // row i of a KITTI file is at time i s
   bool timed = true;                        // false for a KITTI file
+  bool has_rotations = true;                // TrajectoryFile::has_rotations
   Trajectory truth;                         // runs only, in the world of the run; may be empty
   std::vector<reports::BodyDetail> bodies;  // runs only
 };
 
-// Reads a trajectory. A folder is a run; a file with commas is in EuRoC's format, one with 8
-// columns in TUM's and one with 12 in KITTI's. Throws Error naming the file, the line and what was
+// Reads a trajectory. A folder is a run; a file is in KITTI's format or
+// one that ReadTrajectory reads. Throws Error naming the file, the line and what was
 // expected.
 PlotInput ReadPlotInput(const std::string& path);
 

@@ -55,6 +55,15 @@ int EvaluateFiles(const TrajectoryFlags& flags) {
   std::vector<Metric> metrics = EvaluateCamera(
       true_poses, PosesAtFrames(association, truth.size(), estimate), reports::TruthSource::kFile);
   StatePoses(reports::PoseTime::kFile, 0.0, metrics);
+  for (const PlotInput& input : inputs) {
+    if (input.has_rotations) continue;
+    std::cerr << "note: " << input.path << ": quaternions that are all zero or all the same, so no "
+              << "metric of rotations\n";
+    std::erase_if(metrics, [](const Metric& metric) {
+      return !metric.name.starts_with("camera_ate") && metric.name != "camera_coverage" &&
+             metric.name != "camera_path_error";
+    });
+  }
   if (flags.json) {
     std::cout << DumpJson({{"schema_version", 2},
                            {"kind", "evaluation"},

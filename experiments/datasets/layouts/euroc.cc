@@ -80,7 +80,7 @@ void AddTruth(const fs::path& mav, Sequence& sequence) {
     sequence.missing.push_back(path.string() + ": no ground truth of the camera");
     return;
   }
-  const Trajectory body = ReadEurocPoses(path);
+  const Trajectory body = ReadTrajectory(path).poses;
   sequence.other_files.push_back(path);
   const RigidTransform body_from_left = YamlMap::Read(mav / "cam0/sensor.yaml").Transform("T_BS");
   AddCameraTruth(body, body_from_left, "it starts later or ends earlier", sequence);
