@@ -158,10 +158,10 @@ TEST(KittiDetections, MoveByTheDepthOfTheNearFace) {
   TaskPool pool(2);
   const Options options;
   const std::vector<ImageHashes> none;
-  const auto frames = OpenFrames({sequence, options, none}, pool);
+  FrameSource frames({sequence, options, none}, pool);
   int moved = 0;
   for (const std::vector<ObjectBox>& boxes : DetectionsByFrame(sequence)) {
-    const PreparedFrame prepared = frames->Next();
+    const PreparedFrame prepared = frames.Next();
     for (const ObjectBox& drawn : boxes) {
       if (drawn.type != "Car" || drawn.occlusion > 0) continue;
       DetectionCounts counts;
