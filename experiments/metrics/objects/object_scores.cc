@@ -115,30 +115,6 @@ void ScoreAsSeen(CommonPoses seen, BodyScore& score) {
   if (const auto motion = MotionErrors(seen)) score.motion_in_camera_m = motion->translation_m;
 }
 
-void ScorePoses(const ObjectTruth& truth, const ObjectEstimate& estimate, const TruthBody& body,
-                const ClusterEstimate& cluster, const Worlds& worlds, BodyScore& score) {
-  BodyPoses poses = CollectPoses(body, cluster, worlds.by_camera);
-  score.cluster = cluster.id;
-  score.estimated_frames = static_cast<int>(poses.counted.size());
-  if (poses.counted.size() == 0) return;
-  score.max_drift =
-      MeasureMaxDrift(poses.counted, worlds.by_first_pose * worlds.by_camera.Inverse());
-  ScoreAsSeen(AsSeen(truth, estimate, worlds.by_camera, poses.counted), score);
-  CountJoins(poses.counted, score);
-  const RigidTransform object_from_gtobject = AlignObject(poses.counted);
-  ApplyObject(object_from_gtobject, poses.counted);
-  ApplyObject(object_from_gtobject, poses.predicted);
-  score.errors = PositionErrors(poses.counted, score.estimated_positions);
-  score.predicted = PositionErrors(poses.predicted, score.predicted_positions);
-  score.ate_m = RootMeanSquare(score.errors.position_m);
-  score.predicted_ate_m = RootMeanSquare(score.predicted.position_m);
-  SetRelative(AllPairsErrors(poses.counted), score.all_pairs_rad, score.all_pairs_m);
-  SetRelative(OneFrameErrors(poses.counted), score.one_frame_rad, score.one_frame_m);
-  SetRelative(MotionErrors(poses.counted), score.motion_rad, score.motion_m);
-  score.velocity_m_s = VelocityError(truth, body, poses.counted_frames,
-                                     object_from_gtobject.Inverse(), worlds.by_camera);
-}
-
 constexpr int kJoinGap = 2;           // frames; longer gaps are losses
 constexpr double kWrongJoin_m = 0.1;  // as far off as no success
 
@@ -164,6 +140,30 @@ void CountJoins(const CommonPoses& poses, BodyScore& score) {
     sum += poses.estimate[i].Inverse() * poses.truth[i].translation();
     ++count;
   }
+}
+
+void ScorePoses(const ObjectTruth& truth, const ObjectEstimate& estimate, const TruthBody& body,
+                const ClusterEstimate& cluster, const Worlds& worlds, BodyScore& score) {
+  BodyPoses poses = CollectPoses(body, cluster, worlds.by_camera);
+  score.cluster = cluster.id;
+  score.estimated_frames = static_cast<int>(poses.counted.size());
+  if (poses.counted.size() == 0) return;
+  score.max_drift =
+      MeasureMaxDrift(poses.counted, worlds.by_first_pose * worlds.by_camera.Inverse());
+  ScoreAsSeen(AsSeen(truth, estimate, worlds.by_camera, poses.counted), score);
+  CountJoins(poses.counted, score);
+  const RigidTransform object_from_gtobject = AlignObject(poses.counted);
+  ApplyObject(object_from_gtobject, poses.counted);
+  ApplyObject(object_from_gtobject, poses.predicted);
+  score.errors = PositionErrors(poses.counted, score.estimated_positions);
+  score.predicted = PositionErrors(poses.predicted, score.predicted_positions);
+  score.ate_m = RootMeanSquare(score.errors.position_m);
+  score.predicted_ate_m = RootMeanSquare(score.predicted.position_m);
+  SetRelative(AllPairsErrors(poses.counted), score.all_pairs_rad, score.all_pairs_m);
+  SetRelative(OneFrameErrors(poses.counted), score.one_frame_rad, score.one_frame_m);
+  SetRelative(MotionErrors(poses.counted), score.motion_rad, score.motion_m);
+  score.velocity_m_s = VelocityError(truth, body, poses.counted_frames,
+                                     object_from_gtobject.Inverse(), worlds.by_camera);
 }
 
 BodyScore DescribeBody(const TruthBody& body, const Continuity& continuity) {
