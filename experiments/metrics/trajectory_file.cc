@@ -59,14 +59,9 @@ Columns ColumnsOf(const TextFile& file) {
   ThrowError(file.path().string(), "no pose", "a trajectory");
 }
 
-bool IsNan(std::string_view text) {
-  if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
-  return text == "nan" || text == "NaN" || text == "NAN";
-}
-
 bool HasNan(const TextRow& row) {
   for (std::size_t k = 1; k < kPoseColumns; ++k) {
-    if (IsNan(row.Text(k))) return true;
+    if (row.Text(k).ends_with("nan") || row.Text(k).ends_with("NaN")) return true;
   }
   return false;
 }

@@ -18,9 +18,9 @@
 #include "experiments/cli/reports/reports.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/given.h"
+#include "reports/overlays/canvas.h"
 #include "reports/overlays/draw_overlay.h"
 #include "reports/overlays/overlay_run.h"
-#include "reports/overlays/picture_files.h"
 
 namespace cvo {
 namespace {

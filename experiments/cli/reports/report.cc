@@ -8,8 +8,8 @@
 #include "core/files/atomic_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
+#include "reports/overlays/canvas.h"
 #include "reports/overlays/draw_overlay.h"
-#include "reports/overlays/picture_files.h"
 #include "reports/page/page.h"
 #include "variants/registry.h"
 

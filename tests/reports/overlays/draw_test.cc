@@ -12,7 +12,6 @@
 
 #include "reports/overlays/canvas.h"
 #include "reports/overlays/draw_overlay.h"
-#include "reports/overlays/picture_files.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
