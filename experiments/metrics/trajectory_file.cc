@@ -153,7 +153,7 @@ TrajectoryFile ReadTrajectory(const std::filesystem::path& path) {
       row.ExpectColumns(kPoseColumns, "time tx ty tz qx qy qz qw");
     }
     if (HasNan(row)) {
-      ++read.left_out;
+      read.left_out.push_back(i + 1);
       continue;
     }
     rows.push_back(row);

@@ -24,7 +24,7 @@ using Trajectory = std::vector<TimedPose>;
 struct TrajectoryFile {
   Trajectory poses;
   std::vector<std::size_t> lines;  // of the poses, from 1
-  std::size_t left_out = 0;        // rows with NaN
+  std::vector<std::size_t> left_out;  // lines with NaN
   // False if all quaternions are zero or the same: the file tells positions alone, and the
   // rotations of the poses mean nothing.
   bool has_rotations = true;

@@ -51,8 +51,9 @@ OptionalPoses ReadKittiAtFrames(const std::filesystem::path& path, const Sequenc
 // read. Throws Error with file and line for any other pose that belongs to no frame.
 OptionalPoses ReadTumAtFrames(const std::filesystem::path& path, const Sequence& sequence) {
   const TrajectoryFile file = ReadTrajectory(path);
-  if (file.left_out > 0)
-    ThrowError(path.string(), StrCat(file.left_out, " rows of NaN"), "numbers");
+  if (!file.left_out.empty()) {
+    ThrowError(StrCat(path.string(), ":", file.left_out.front()), "NaN", "numbers");
+  }
   const Trajectory& trajectory = file.poses;
   Trajectory frames;
   for (const std::int64_t time_ns : sequence.timestamps_ns) frames.push_back({time_ns, {}});

@@ -4,7 +4,6 @@
 // runs.
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <numbers>
 #include <optional>
 
@@ -157,9 +156,7 @@ PlotInput ReadPlotInput(const std::string& path) {
       TrajectoryFile file = ReadTrajectory(path);
       input.poses = std::move(file.poses);
       input.has_rotations = file.has_rotations;
-      if (file.left_out > 0) {
-        std::cerr << "note: " << path << ": " << file.left_out << " rows of NaN left out\n";
-      }
+      input.left_out = file.left_out.size();
     } else {
       input.poses = ReadKittiTrajectory(path);
     }

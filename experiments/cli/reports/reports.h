@@ -120,6 +120,7 @@ struct PlotInput {
   Trajectory poses;                         // row i of a KITTI file is at time i s
   bool timed = true;                        // false for a KITTI file
   bool has_rotations = true;                // TrajectoryFile::has_rotations
+  std::size_t left_out = 0;                 // rows with NaN
   Trajectory truth;                         // runs only, in the world of the run; may be empty
   std::vector<reports::BodyDetail> bodies;  // runs only
 };

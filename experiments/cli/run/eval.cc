@@ -56,6 +56,9 @@ int EvaluateFiles(const TrajectoryFlags& flags) {
       true_poses, PosesAtFrames(association, truth.size(), estimate), reports::TruthSource::kFile);
   StatePoses(reports::PoseTime::kFile, 0.0, metrics);
   for (const PlotInput& input : inputs) {
+    if (input.left_out > 0) {
+      std::cerr << "note: " << input.path << ": " << input.left_out << " rows of NaN left out\n";
+    }
     if (input.has_rotations) continue;
     std::cerr << "note: " << input.path << ": quaternions that are all zero or all the same, so no "
               << "metric of rotations\n";

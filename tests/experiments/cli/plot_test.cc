@@ -159,7 +159,8 @@ TEST_F(CliPlot, BadInputGivesOneLine) {
   ExpectError(Plot({truth, "--align", "se3"}), "--align: needs --groundtruth", 2);
   ExpectError(Plot({folder_.path().string()}), "found a folder without result.json or plan.json");
   ExpectError(Plot({folder_.Write("bad.txt", "1 2 3\n").string()}), "bad.txt:1: found 3 columns");
-  ExpectError(Plot({folder_.Write("comma.csv", "1,2,3\n").string()}), "comma.csv:1: found 3 col");
+  ExpectError(Plot({folder_.Write("comma.csv", "1,2,3\n").string()}),
+              "comma.csv:1: found 1 columns");
   ExpectError(Plot({Path("none.txt")}), "none.txt");
   ExpectError(Plot({Tum("one.txt", 0.0, 1), "--groundtruth", truth}),
               "one.txt: found 1 poses that match one of truth, expected 2 or more within 0.02 s");

@@ -46,7 +46,7 @@ TEST(CliTables, TabulatesAFinishedSuite) {
   ASSERT_EQ(table["provenance"]["options"].size(), 1U);
   EXPECT_EQ(table["provenance"]["options"][0]["path"], "orb.features");
   EXPECT_TRUE(fs::exists(suite.folder().path() / table["rows"][0]["runs"][0]["result"]));
-  EXPECT_THAT(test::ReadFile(suite.folder().path() / "table.md"), HasSubstr("| **0.0625** |"));
+  EXPECT_THAT(test::ReadFile(suite.folder().path() / "table.md"), HasSubstr("| 0.0625 |"));
   EXPECT_EQ(MakeTable(suite.Written()).out, first.out);
   EXPECT_EQ(test::ReadFile(suite.folder().path() / "table.json"), bytes);
 }

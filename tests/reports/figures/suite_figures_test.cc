@@ -78,7 +78,7 @@ TEST(SuiteFigures, ReportMissingResults) {
   suite.Plan("room", "2d");
   const SuiteFigures drawing = Draw(suite.Written());
   EXPECT_THAT(drawing.figures, IsEmpty());
-  EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr("Change in error")));
+  EXPECT_THAT(drawing.not_drawn, Contains(HasSubstr("Differences from the reference")));
 }
 
 TEST(SuiteFigures, NameEachMissingFileOnce) {

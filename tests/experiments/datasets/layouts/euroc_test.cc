@@ -158,7 +158,7 @@ TEST_F(EurocFiles, BadRowsAreRefusedWithFileAndRow) {
   expect(truth, test::Replace("1403636580100000000,", "1403636580000000000,"),
          "state_groundtruth_estimate0/data.csv:3: found time");
   expect(truth, test::Replace("1403636580000000000,", "1403636580000000000,x"),
-         "data.csv:2, column 2: found \"x | a number");
+         "data.csv:2: found \"x | a finite number");
   expect("mav0/cam0/sensor.yaml", test::Replace("resolution: [48", "resolution: [752"),
          "a calibration of 752x32 | 48x32 px");
 }

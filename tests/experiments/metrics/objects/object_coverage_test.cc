@@ -131,7 +131,7 @@ TEST(ObjectMetrics, HaveACompleteContract) {
   ObjectEstimate estimate = Noisy(truth, 2);
   estimate.clusters[0].frames[3].predicted = true;
   const auto metrics = Evaluate(truth, estimate);
-  EXPECT_EQ(metrics.size(), 17u + 12u + 4u + 17u + 1u);
+  EXPECT_EQ(metrics.size(), 19u + 12u + 4u + 19u + 1u);
   ExpectContracts(metrics);
   EXPECT_EQ(FindMetric(metrics, "object_motion_t")->contract.frames, (reports::FrameSpan{10, 17}));
 }
