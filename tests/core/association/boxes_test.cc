@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,9 +10,7 @@
 #include "core/association/box_association.h"
 #include "core/base/error.h"
 #include "core/base/rng.h"
-#include "core/geometry/stereo_camera.h"
 #include "tests/support/error_message.h"
-#include "tests/support/estimator_inputs.h"
 
 namespace cvo::boxes_test {
 namespace {
@@ -158,28 +155,6 @@ TEST(BoundedBoxWeights, HandComputed) {
   EXPECT_NEAR(p.entropy, 0.75 * std::log2(4.0 / 3.0) + 0.75, 1e-12);
 }
 
-TEST(BoundedBoxWeights, IsUncertainIfMostLandmarksAreOutside) {
-  const auto p = BoundedBoxWeights::Compute(Join(Several(1, 50, 50), Several(49, 150, 50)),
-                                            {kTwoBoxes.data(), 1});
-  EXPECT_DOUBLE_EQ(p.probability[0], 0.02);
-  EXPECT_GT(p.entropy, 0.1);
-}
-
-TEST(BoundedBoxWeights, EntropyOfTwoBoxesAroundTheSameLandmarksIsOneBit) {
-  const std::vector<ImageBox> boxes = {{0, 0, 100, 100}, {10, 10, 110, 110}};
-  const auto p = BoundedBoxWeights::Compute(Several(10, 50, 50), boxes);
-  EXPECT_DOUBLE_EQ(p.probability[0], 0.5);
-  EXPECT_DOUBLE_EQ(p.probability[1], 0.5);
-  EXPECT_NEAR(p.entropy, 1.0, 1e-12);
-}
-
-TEST(BoundedBoxWeights, HandlesNoLandmarksAndNoBoxes) {
-  const auto p = BoundedBoxWeights::Compute({}, kTwoBoxes);
-  EXPECT_THAT(p.probability, ElementsAre(0.0, 0.0));
-  EXPECT_EQ(p.entropy, 0.0);
-  EXPECT_THAT(BoundedBoxWeights::Compute(Several(3, 50, 50), {}).probability, IsEmpty());
-}
-
 TEST(BoxWeightsLiteral, HandComputed) {
   // Two landmarks of weight 1/4 in the first box, one of weight 1/2 in the second. Landmarks in no
   // box do not count.
@@ -189,39 +164,6 @@ TEST(BoxWeightsLiteral, HandComputed) {
   EXPECT_DOUBLE_EQ(p.probability[0], 0.5);
   EXPECT_DOUBLE_EQ(p.probability[1], 0.5);
   EXPECT_NEAR(p.entropy, 1.0, 1e-12);  // in bits, like the limit
-}
-
-// A landmark on the optical axis at depth_m, triangulated when its depth was best_m.
-BoxMember Receding(double depth_m, double best_m) {
-  const StereoCamera camera = test::CentredCamera(450, 0.3, 640, 480);
-  const Eigen::Matrix3d noise = 0.25 * Eigen::Matrix3d::Identity();
-  const Eigen::Matrix3d best = camera.PointCovariance(*camera.Project({0.0, 0.0, best_m}), noise);
-  const Eigen::Matrix3d J = camera.ProjectionJacobian({0.0, 0.0, depth_m});
-  const Eigen::Matrix3d position = J * best * J.transpose();
-  BoxMember member;
-  member.zeta_px = {320.0, 240.0};
-  member.measurement_determinant = noise.determinant();
-  member.position_determinant = position.determinant();
-  member.innovation_determinant = (position + noise).determinant();
-  return member;
-}
-
-TEST(BoxWeights, LiteralWeightsGrowWithTheEighthPowerOfDepthBoundedOnesDoNot) {
-  const std::vector<ImageBox> box = {{300, 220, 340, 260}};
-  const auto literal = [&](double depth_m) {
-    const BoxMember member = Receding(depth_m, 5.0);
-    return BoxWeightsLiteral::Compute({&member, 1}, box).weight[0];
-  };
-  const auto bounded = [&](double depth_m) {
-    const BoxMember member = Receding(depth_m, 5.0);
-    return BoundedBoxWeights::Compute({&member, 1}, box).weight[0];
-  };
-  EXPECT_NEAR(literal(10.0) / literal(5.0), 256.0, 256.0 * 1e-9);
-  EXPECT_NEAR(literal(15.0) / literal(5.0), 6561.0, 6561.0 * 1e-9);
-  // |2 Sigma_z| is 8 |Sigma_z|.
-  EXPECT_NEAR(bounded(5.0), std::sqrt(1.0 / 8.0), 1e-12);
-  EXPECT_GT(bounded(10.0), bounded(5.0));
-  EXPECT_LE(bounded(1000.0), 1.0);
 }
 
 // Returns the box of each cluster, using BoundedBoxWeights.

@@ -85,15 +85,6 @@ TEST(MatchProjected, RefusesAmbiguousCandidates) {
   EXPECT_TRUE(MatchProjected(landmarks, grid, 5.0, 1.2, {}).empty());
 }
 
-TEST(KeepOneToOne, PrefersTheNearestAndBreaksTiesByIndex) {
-  const std::vector<Match> kept = KeepOneToOne({{0, 5, 10}, {1, 5, 4}, {2, 6, 7}, {0, 6, 7}}, 3, 7);
-  ASSERT_EQ(kept.size(), 2u);
-  EXPECT_EQ(kept[0].landmark, 0);
-  EXPECT_EQ(kept[0].feature, 6);
-  EXPECT_EQ(kept[1].landmark, 1);
-  EXPECT_EQ(kept[1].feature, 5);
-}
-
 TEST(MatchDescriptors, FindsExactlyTheTruePairs) {
   Rng rng(5, "brute force");
   const std::vector<StereoFeature> features = RandomFeatures(200, rng);

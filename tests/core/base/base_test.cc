@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/ids.h"
 #include "core/base/options.h"
 #include "core/base/rng.h"
 #include "core/base/stage_times.h"
@@ -57,14 +56,6 @@ TEST(StrCat, FormatsLikeAStream) {
   EXPECT_EQ(StrCat("a", 1, ' ', std::string("b")), "a1 b");
   EXPECT_EQ(StrCat(0.1, " ", 200000.0, " ", 1e300), "0.1 200000 1e+300");
   EXPECT_EQ(StrCat(1234567.5), "1234567.5");
-}
-
-TEST(StrongId, OrdersByValueAndReportsValidity) {
-  EXPECT_FALSE(FrameId{}.valid());
-  EXPECT_TRUE(FrameId{0}.valid());
-  EXPECT_LT(LandmarkId{2}, LandmarkId{10});
-  EXPECT_EQ(LandmarkId{2}, LandmarkId{2});
-  static_assert(!std::is_convertible_v<FrameId, LandmarkId>);
 }
 
 TEST(ScopedStage, AddsTimeToItsStage) {
@@ -123,15 +114,6 @@ TEST(Options, LeavesHaveDottedPathsInOrder) {
               ElementsAre("count", "inner.ratio", "inner.flag", "other.ratio", "other.flag"));
 }
 
-TEST(Options, LeavesCanBeWritten) {
-  OuterOptions options;
-  VisitLeaves(options, [](const std::string& path, auto& value, const FieldInfo&) {
-    if (path == "other.ratio") value = static_cast<std::decay_t<decltype(value)>>(1);
-  });
-  EXPECT_EQ(options.other.ratio, 1.0);
-  EXPECT_EQ(options.inner.ratio, 0.5);
-}
-
 TEST(Options, DefaultsAndLimitsAreInRange) {
   OuterOptions options;
   EXPECT_EQ(RangeError(options), "");
@@ -174,40 +156,6 @@ TEST(Rng, GoldenValues) {
   EXPECT_EQ(rng.Uniform(), 0.1853692933333526);
 }
 
-double Correlation(Rng a, Rng b, int count) {
-  double sum = 0.0;
-  for (int i = 0; i < count; ++i) sum += (a.Uniform() - 0.5) * (b.Uniform() - 0.5);
-  return 12.0 * sum / count;
-}
-
-TEST(Rng, StreamsAndSeedsAreUncorrelated) {
-  const int count = 20000;  // standard error 1 / sqrt(count) = 0.007
-  EXPECT_NEAR(Correlation(Rng(5, "a"), Rng(5, "a"), count), 1.0, 0.03);
-  EXPECT_NEAR(Correlation(Rng(5, "a"), Rng(5, "b"), count), 0.0, 0.03);
-  EXPECT_NEAR(Correlation(Rng(5, "a"), Rng(6, "a"), count), 0.0, 0.03);
-}
-
-TEST(Rng, UniformHasItsMomentsAndRange) {
-  Rng rng(3, "uniform");
-  const int count = 100000;
-  double sum = 0.0;
-  double squares = 0.0;
-  for (int i = 0; i < count; ++i) {
-    const double x = rng.Uniform();
-    ASSERT_GE(x, 0.0);
-    ASSERT_LT(x, 1.0);
-    sum += x;
-    squares += x * x;
-  }
-  EXPECT_NEAR(sum / count, 0.5, 0.005);
-  EXPECT_NEAR(squares / count, 1.0 / 3.0, 0.005);
-  for (int i = 0; i < 1000; ++i) {
-    const double x = rng.Uniform(-3.0, 5.0);
-    ASSERT_GE(x, -3.0);
-    ASSERT_LE(x, 5.0);
-  }
-}
-
 TEST(Rng, NormalHasItsMoments) {
   Rng rng(4, "normal");
   const int count = 200000;
@@ -232,16 +180,6 @@ TEST(Rng, UniformIntCoversItsRangeEvenly) {
 
 class TaskPoolOn : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Threads, TaskPoolOn, testing::Values(1, 2, 3, 4));
-
-TEST_P(TaskPoolOn, WaitReturnsAfterTheTask) {
-  TaskPool pool(GetParam());
-  for (int i = 0; i < 1000; ++i) {
-    int value = 0;
-    const TaskPool::Ticket ticket = pool.Submit([&value] { value = 7; });
-    pool.Wait(ticket);
-    ASSERT_EQ(value, 7);
-  }
-}
 
 TEST_P(TaskPoolOn, ParallelForRunsEachIndexOnce) {
   TaskPool pool(GetParam());

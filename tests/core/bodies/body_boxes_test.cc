@@ -193,21 +193,6 @@ TEST(BodyBoxes, RotateTheHeadingAcrossGapsLongerThanTheWindow) {
   EXPECT_LT((Forward(found) - Vector3d(std::cos(0.5), 0.0, -std::sin(0.5))).norm(), 0.05);
 }
 
-TEST(BodyDirection, RollingDoesNotChangeTheHeading) {
-  const RigidTransform rolled(ExpSo3({1.2, 0.0, 0.0}), Vector3d::Zero());
-  EXPECT_LT((TurnedBy(rolled, kDown, Vector3d::UnitZ()) - Vector3d::UnitZ()).norm(), 1e-12);
-  const RigidTransform turned(ExpSo3({0.0, 0.4, 0.0}), Vector3d::Zero());
-  EXPECT_LT(
-      (TurnedBy(turned, kDown, Vector3d::UnitZ()) - Vector3d(std::sin(0.4), 0.0, std::cos(0.4)))
-          .norm(),
-      1e-12);
-}
-
-TEST(BodyDirection, LevelledIsPerpendicularToDown) {
-  EXPECT_NEAR(Levelled({0.0, 3.0, 4.0}, kDown).dot(Vector3d::UnitZ()), 1.0, 1e-12);
-  EXPECT_NEAR(Levelled({0.0, 2.0, 0.0}, kDown).dot(kDown), 0.0, 1e-12);
-}
-
 TEST(BodyScore, RisesWithTheEvidence) {
   SeenCar car;
   car.See(0, Ahead(0.0, 14.0));

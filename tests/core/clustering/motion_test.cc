@@ -161,25 +161,12 @@ TEST(MotionTerm, IsNeutralForLabelsOfUnknownMotion) {
 
 constexpr Eigen::Index kCarLabel = 1;
 
-CrfNode Seen(const Eigen::Vector3d& p_in_camera, const RigidTransform& past_from_now, Rng& rng) {
-  const auto with_noise = [&rng](const Eigen::Vector3d& z_px) -> Eigen::Vector3d {
-    return z_px + 0.4 * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal());
-  };
-  const Eigen::Matrix3d covariance_px2 = 0.16 * Eigen::Matrix3d::Identity();
-  CrfNode node;
-  node.z_px = with_noise(*kSceneCamera.Project(p_in_camera));
-  node.p_in_camera = *kSceneCamera.BackProject(node.z_px);
-  node.covariance_m2 = kSceneCamera.PointCovariance(node.z_px, covariance_px2);
-  node.past = CrfNode::Past{.z_px = with_noise(*kSceneCamera.Project(past_from_now * p_in_camera)),
-                            .covariance_px2 = covariance_px2};
-  return node;
-}
-
 // The first 60 nodes are on a car that drives ahead of the camera at 15 m. The next 25 are
 // background points in its box, the last 15 are on the road at its wheels.
 CrfScene CarScene() {
   const RigidTransform drive(ExpSo3({0.0, 0.01, 0.0}), Eigen::Vector3d(0.0, 0.0, 4.0));
   const RigidTransform follow(ExpSo3({0.0, 0.01, 0.0}), Eigen::Vector3d(0.05, 0.0, 0.3));
+  const Eigen::Matrix3d covariance_px2 = 0.16 * Eigen::Matrix3d::Identity();
   Rng rng(1, "terms_together");
   CrfScene scene;
   scene.camera = kSceneCamera;
@@ -193,16 +180,16 @@ CrfScene CarScene() {
       CrfLabel::Extent{.center_in_camera = {0.0, 0.1, 15.0}, .half_size_m = {0.36, 0.28, 0.5}};
   for (int i = 0; i < 60; ++i) {
     const Eigen::Vector3d p(rng.Uniform(-0.9, 0.9), rng.Uniform(-0.6, 0.8), rng.Uniform(14, 16));
-    scene.nodes.push_back(Seen(p, follow, rng));
+    scene.nodes.push_back(Measure(p, follow, covariance_px2, rng));
   }
   for (int i = 0; i < 25; ++i) {
     const double z = rng.Uniform(22, 60);
     const Eigen::Vector3d p(rng.Uniform(-0.05, 0.05) * z, rng.Uniform(-0.04, 0.03) * z, z);
-    scene.nodes.push_back(Seen(p, drive, rng));
+    scene.nodes.push_back(Measure(p, drive, covariance_px2, rng));
   }
   for (int i = 0; i < 15; ++i) {
     const Eigen::Vector3d p(rng.Uniform(-0.9, 0.9), 0.8, rng.Uniform(14, 15));
-    scene.nodes.push_back(Seen(p, drive, rng));
+    scene.nodes.push_back(Measure(p, drive, covariance_px2, rng));
   }
   return scene;
 }

@@ -80,39 +80,26 @@ TEST(NormalizeEnergies, RefusesNan) {
   EXPECT_THAT(ErrorMessage([&] { NormalizeEnergies(15.0, energies); }), HasSubstr("node 1"));
 }
 
-TEST(Box2dTerm, PrefersTheBoxThatContainsTheLandmark) {
-  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(120, 150)),
-              Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
-}
+const std::vector<double> kInLeft = {0.0125, 0.95, 0.0125, 0.0125, 0.0125};
+const std::vector<double> kInBoth = {0.05 / 3, 0.475, 0.475, 0.05 / 3, 0.05 / 3};
+const std::vector<double> kOutside = {0.95, 0.0125, 0.0125, 0.0125, 0.0125};
 
-TEST(Box2dTerm, SplitsProbabilityBetweenOverlappingBoxes) {
-  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(170, 150)),
-              Near({0.05 / 3, 0.475, 0.475, 0.05 / 3, 0.05 / 3}));
-}
-
-TEST(Box2dTerm, PrefersTheStaticSceneOutsideAllBoxes) {
-  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(500, 150)),
-              Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
-}
-
-TEST(Box2dTerm, PredictedBoxIsSharedByItsBodyAndTheStaticScene) {
-  EXPECT_THAT(Probabilities<Box2dTerm>(BoxScene(), NodeSeenAt(390, 290)),
+TEST(Box2dTerm, SharesProbabilityAmongTheBoxesThatContainTheLandmark) {
+  const CrfScene scene = BoxScene();
+  EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(120, 150)), Near(kInLeft));
+  EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(170, 150)), Near(kInBoth));
+  EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(500, 150)), Near(kOutside));
+  // The body shares a predicted box with the static scene.
+  EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(390, 290)),
               Near({0.475, 0.05 / 3, 0.05 / 3, 0.475, 0.05 / 3}));
-}
-
-TEST(DetectedBox2dTerm, IgnoresPredictionsAndOtherwiseAgreesWithBox2dTerm) {
-  EXPECT_THAT(Probabilities<DetectedBox2dTerm>(BoxScene(), NodeSeenAt(390, 290)),
-              Near({0.95, 0.0125, 0.0125, 0.0125, 0.0125}));
-  EXPECT_THAT(Probabilities<DetectedBox2dTerm>(BoxScene(), NodeSeenAt(120, 150)),
-              Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
+  EXPECT_THAT(Probabilities<DetectedBox2dTerm>(scene, NodeSeenAt(390, 290)), Near(kOutside));
+  EXPECT_THAT(Probabilities<DetectedBox2dTerm>(scene, NodeSeenAt(120, 150)), Near(kInLeft));
 }
 
 TEST(Box2dTermLiteral, MatchesThePrintedFormula) {
   const CrfScene scene = BoxScene();
-  EXPECT_THAT(Probabilities<Box2dTermLiteral>(scene, NodeSeenAt(104, 150)),
-              Near({0.0125, 0.95, 0.0125, 0.0125, 0.0125}));
-  EXPECT_THAT(Probabilities<Box2dTermLiteral>(scene, NodeSeenAt(170, 150)),
-              Near({0.05 / 3, 0.475, 0.475, 0.05 / 3, 0.05 / 3}));
+  EXPECT_THAT(Probabilities<Box2dTermLiteral>(scene, NodeSeenAt(104, 150)), Near(kInLeft));
+  EXPECT_THAT(Probabilities<Box2dTermLiteral>(scene, NodeSeenAt(170, 150)), Near(kInBoth));
   EXPECT_TRUE(RawEnergies<Box2dTermLiteral>(scene, NodeSeenAt(390, 290)).isZero(0.0));
 }
 

@@ -111,19 +111,6 @@ TEST(RetireClusters, KeepsArchivesOrDropsClusters) {
   EXPECT_THAT(told, ElementsAre(1, 2, 6));
 }
 
-TEST(RetireClusters, NeverReportsUnconfirmedClusters) {
-  ClusterOptions options;
-  options.confirm_frames = 100;  // the body disappears earlier
-  ClusterMap map;
-  map.live = {ClusterSeen(1, 5, 5, 1)};
-  map.trajectories[ClusterId{1}].id = ClusterId{1};
-  EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
-  RetireClusters(FrameId{5 + Options().LiveFrames()}, Options().LiveFrames(), options, map);
-  EXPECT_THAT(Ids(map, true), IsEmpty());
-  EXPECT_THAT(Ids(map, false), IsEmpty());
-  EXPECT_THAT(ConfirmedTrajectories(map, options), IsEmpty());
-}
-
 TEST(RetireClusters, ArchiveDropsTheOldest) {
   ClusterOptions options;
   options.archived = 2;
@@ -279,12 +266,6 @@ struct Moving {
         {options.NoiseOfFeatures(), options.solver, options.motion_prior}, window, pool, map);
   }
 };
-
-TEST(OptimizeClusters, FindsThePoses) {
-  Moving body;
-  body.Optimize();
-  EXPECT_LT(body.LastError_m(), 1e-5);
-}
 
 TEST(OptimizeClusters, RemovesOutliersOfTheLastFrame) {
   Moving body;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
@@ -204,28 +203,7 @@ WindowProblem MakeProblem(int frames, int points, double noise_px, Rng& rng) {
   return problem;
 }
 
-void Disturb(WindowProblem& problem, double size, Rng& rng) {
-  for (std::size_t i = 1; i < problem.frames.size(); ++i) {
-    const Vector6d step = Vector6d::NullaryExpr([&] { return size * rng.Normal(); });
-    problem.world_from_camera[i] = problem.world_from_camera[i].Plus(step);
-  }
-  for (Eigen::Vector3d& point : problem.points) {
-    point += size * Eigen::Vector3d(rng.Normal(), rng.Normal(), rng.Normal());
-  }
-}
-
 const SolverOptions kToConvergence = {.iterations = 60, .function_tolerance = 1e-14};
-
-TEST(SolveWindow, ReturnsToTheTruth) {
-  Rng rng(1, "window");
-  WindowProblem problem = MakeProblem(5, 60, 0.0, rng);
-  const WindowProblem truth = problem;
-  Disturb(problem, 0.02, rng);
-  SolveWindow({}, kToConvergence, problem);
-  for (std::size_t i = 0; i < problem.frames.size(); ++i) {
-    EXPECT_LT(problem.world_from_camera[i].Minus(truth.world_from_camera[i]).norm(), 1e-6);
-  }
-}
 
 TEST(SolveWindow, RecoversTheRightField) {
   Rng rng(2, "window");
@@ -252,51 +230,6 @@ TEST(SolveWindow, UnobservedFieldKeepsItsPriorDeviation) {
   const Vector6d sigma_px = summary.shared_information.inverse().diagonal().cwiseSqrt();
   EXPECT_LT(sigma_px[0], 0.2) << "the points say something of the mean";
   EXPECT_NEAR(sigma_px[3] / deviation_px[3], 1.0, 1e-3);
-}
-
-// Compares the solution of the full window with that of the window in which a frame and points are
-// replaced by their prior.
-TEST(Marginalize, PreservesTheOptimumOfTheRemainingStates) {
-  Rng rng(4, "window");
-  WindowProblem batch = MakeProblem(5, 60, 0.3, rng);
-  batch.is_fixed.assign(5, 0);
-  batch.is_fixed[4] = 1;
-  SolveWindow({}, kToConvergence, batch);
-
-  // Frame 10 and points 0 to 29 are marginalised; the frame has no observations of other points.
-  std::erase_if(batch.factors, [](const auto& f) { return f.point >= 30 && f.pose == 0; });
-  SolveWindow({}, kToConvergence, batch);
-  WindowProblem removed = batch;
-  std::erase_if(removed.factors, [](const auto& f) { return f.point >= 30; });
-  WindowProblem rest = batch;
-  rest.prior = Marginalize({}, removed, FrameId{10});
-  std::erase_if(rest.factors, [](const auto& f) { return f.point < 30; });
-  for (ReprojectionFactor& factor : rest.factors) {
-    factor.point -= 30;
-    factor.pose -= 1;
-  }
-  rest.points.erase(rest.points.begin(), rest.points.begin() + 30);
-  rest.frames.erase(rest.frames.begin());
-  rest.world_from_camera.erase(rest.world_from_camera.begin());
-  rest.is_fixed.erase(rest.is_fixed.begin());
-  const WindowProblem before = rest;
-  Disturb(rest, 1e-4, rng);
-  rest.world_from_camera[3] = before.world_from_camera[3];
-  SolveWindow({}, kToConvergence, rest);
-  for (int i = 0; i < 4; ++i) {
-    EXPECT_LT(rest.world_from_camera[i].Minus(batch.world_from_camera[i + 1]).norm(), 2e-6);
-  }
-}
-
-TEST(Marginalize, PriorOfAFreeWindowHasSixNullDirections) {
-  Rng rng(5, "window");
-  const WindowProblem problem = MakeProblem(4, 40, 0.2, rng);
-  const WindowPrior prior = Marginalize({}, problem, FrameId{10});
-  ASSERT_EQ(prior.frames.size(), 3u);
-  EXPECT_EQ(prior.J0.cols(), 6 * 3 + 6);
-  const Eigen::MatrixXd H = prior.J0.transpose() * prior.J0;
-  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();
-  EXPECT_EQ((values.array() < 1e-8 * values.maxCoeff()).count(), 6);
 }
 
 // Returns a window in which landmark k is observed in the frames seen[k].

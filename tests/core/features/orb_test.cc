@@ -7,7 +7,6 @@
 #include <map>
 #include <numbers>
 #include <set>
-#include <thread>
 #include <tuple>
 
 #include "core/base/error.h"
@@ -19,16 +18,6 @@ namespace {
 
 using test::DrawScene;
 using test::Render;
-
-auto Fields(const OrbKeypoint& k) {
-  return std::tie(k.v_px, k.u_px, k.octave, k.angle_rad, k.response, k.descriptor);
-}
-
-bool Same(const OrbImage& a, const OrbImage& b) {
-  return std::equal(
-      a.keypoints.begin(), a.keypoints.end(), b.keypoints.begin(), b.keypoints.end(),
-      [](const OrbKeypoint& x, const OrbKeypoint& y) { return Fields(x) == Fields(y); });
-}
 
 cv::Mat Textured(int width_px, int height_px) {
   return Render(DrawScene(width_px, height_px, 1), 0);
@@ -211,21 +200,6 @@ TEST(ExtractOrb, OctaveFollowsScale) {
   ASSERT_NE(most, changes.end());
   EXPECT_EQ(most->first, 2);
   EXPECT_GT(most->second, 200);
-}
-
-TEST(ExtractOrb, IsDeterministicAcrossRunsAndThreads) {
-  const cv::Mat image = Textured(320, 240);
-  const OrbImage first = ExtractOrb(image, OrbOptions{});
-  OrbImage second;
-  OrbImage third;
-  std::thread thread([&] { second = ExtractOrb(image, OrbOptions{}); });
-  third = ExtractOrb(image, OrbOptions{});
-  thread.join();
-  EXPECT_TRUE(Same(first, second));
-  EXPECT_TRUE(Same(first, third));
-  cv::Mat part(300, 400, CV_8UC1);  // the same pixels with a different stride
-  image.copyTo(part(cv::Rect(5, 7, 320, 240)));
-  EXPECT_TRUE(Same(first, ExtractOrb(part(cv::Rect(5, 7, 320, 240)), OrbOptions{})));
 }
 
 TEST(ExtractOrb, FlatImageHasNoCorners) {

@@ -12,9 +12,7 @@
 #include "core/features/descriptor.h"
 #include "core/features/feature_patch.h"
 #include "core/features/options.h"
-#include "core/features/orb/brief.h"
 #include "core/features/orb/corner_score.h"
-#include "core/features/orb/corner_selection.h"
 #include "core/features/orb/orb.h"
 #include "core/features/stereo_matcher.h"
 #include "tests/core/features/scene.h"
@@ -96,63 +94,6 @@ TEST(FastScores, MatchTheDefinitionOnBothPaths) {
   EXPECT_GT(corners, 50);
 }
 
-TEST(FindMaxima, KeepsTheFirstOfEqualNeighboursAndNoneAtTheEdge) {
-  cv::Mat scores(60, 100, CV_8UC1, cv::Scalar(0));
-  scores.at<std::uint8_t>(20, 60) = 10;
-  scores.at<std::uint8_t>(20, 61) = 10;
-  scores.at<std::uint8_t>(20, 64) = 7;  // not above the threshold
-  scores.at<std::uint8_t>(9, 30) = 50;  // too near to the edge
-  const std::vector<Corner> maxima = FindMaxima(scores, 10, 7);
-  ASSERT_EQ(maxima.size(), 1u);
-  EXPECT_EQ(maxima[0].x, 60);
-  EXPECT_TRUE(FindMaxima(scores(cv::Rect(0, 0, 20, 20)), 10, 7).empty());
-}
-
-TEST(FollowRule, AcceptsWeakCornersOnlyInCellsWithoutStrongOnes) {
-  // Two corners in the first cell, one in the second and one outside the border.
-  const std::vector<Corner> corners = {{20, 20, 30}, {60, 20, 10}, {25, 25, 10}, {9, 30, 50}};
-  const std::vector<bool> follow = FollowRule(corners, {100, 60}, {10, 40, 20});
-  EXPECT_EQ(follow, (std::vector<bool>{true, true, false, false}));
-}
-
-TEST(SelectEvenly, SelectsTheQuotaWithEvenSpacing) {
-  Rng rng(3, "corners");
-  std::vector<Corner> corners;
-  for (int y = 0; y < 100; ++y) {
-    for (int x = 0; x < 200; x += 2) {
-      corners.push_back({x, y, static_cast<int>(20 + rng.UniformInt(x < 100 ? 200 : 20))});
-    }
-  }
-  const std::vector<Corner> selected = SelectEvenly(corners, 150);
-  ASSERT_EQ(selected.size(), 150u);
-  int on_the_right = 0;
-  for (std::size_t i = 0; i < selected.size(); ++i) {
-    if (selected[i].x >= 100) ++on_the_right;
-    for (std::size_t j = 0; j < i; ++j) {
-      const double distance =
-          std::hypot(selected[i].x - selected[j].x, selected[i].y - selected[j].y);
-      EXPECT_GT(distance, 7.0);  // a square grid of 150 would be 11.5 px wide
-    }
-  }
-  EXPECT_NEAR(on_the_right, 75, 12);
-}
-
-TEST(RefineCorner, FindsTheVertexOfAParaboloid) {
-  cv::Mat scores(3, 3, CV_8UC1);
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      const double dx = x - 0.3;
-      const double dy = y + 0.2;
-      const double value = 200.0 - 30.0 * dx * dx - 20.0 * dy * dy - 8.0 * dx * dy;
-      scores.at<std::uint8_t>(y + 1, x + 1) = cv::saturate_cast<std::uint8_t>(value);
-    }
-  }
-  const Eigen::Vector2d move = RefineCorner(scores, 1, 1);
-  EXPECT_NEAR(move.x(), 0.3, 0.02);  // scores are integers
-  EXPECT_NEAR(move.y(), -0.2, 0.02);
-  EXPECT_TRUE(RefineCorner(cv::Mat(3, 3, CV_8UC1, cv::Scalar(9)), 1, 1).isZero());
-}
-
 TEST(Pyramid, LevelsAreAlignedAndShareOneStride) {
   cv::Mat ramp(120, 250, CV_8UC1);
   for (int v = 0; v < ramp.rows; ++v) {
@@ -172,16 +113,6 @@ TEST(Pyramid, LevelsAreAlignedAndShareOneStride) {
     }
     const double mean = cv::mean(image)[0];
     EXPECT_NEAR(mean, 124.5, 0.3) << level;  // no drift of brightness or position
-  }
-}
-
-TEST(BriefPattern, FitsThePatchAndHasNoShortTests) {
-  const std::vector<BriefTest>& pattern = BriefPattern();
-  ASSERT_EQ(pattern.size(), 256u);
-  for (const BriefTest& test : pattern) {
-    EXPECT_LE(std::hypot(test.x0, test.y0), kOrbPatchRadius - 1);
-    EXPECT_LE(std::hypot(test.x1, test.y1), kOrbPatchRadius - 1);
-    EXPECT_GE(std::hypot(test.x1 - test.x0, test.y1 - test.y0), 3.0);
   }
 }
 
@@ -240,23 +171,6 @@ TEST_F(RowOffsets, EveryPairMakesTheFieldMoreCertain) {
   }
   EXPECT_LT(deviation_px, 0.02);
   EXPECT_LT(WorstError(rows), 0.06);
-}
-
-// Checks that the defaults pass, and that values beyond either end of a range are refused with an
-// error that names the option.
-template <typename Options>
-void CheckLaw() {
-  Options options;
-  EXPECT_NO_THROW(options.Check());
-  VisitLeaves(options, [&](const std::string& path, auto& value, const FieldInfo& info) {
-    const auto before = value;
-    using T = std::remove_reference_t<decltype(value)>;
-    value = static_cast<T>(info.min - 1.0);
-    EXPECT_THAT([&] { options.Check(); }, ThrowsMessage<Error>(HasSubstr("option " + path)));
-    value = static_cast<T>(info.max + 1.0);
-    EXPECT_THAT([&] { options.Check(); }, ThrowsMessage<Error>(HasSubstr("option " + path)));
-    value = before;
-  });
 }
 
 TEST(FeatureOptions, ThresholdsAreOrdered) {

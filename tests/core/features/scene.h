@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -45,19 +44,17 @@ inline cv::Mat DrawScene(int width_px, int height_px, std::uint64_t seed) {
   return scene;
 }
 
-// Renders the image of a camera whose row v shows the scene `fine_shift(v)` fine pixels further to
-// the right.
-inline cv::Mat Render(const cv::Mat& scene, const std::function<int(int)>& fine_shift,
-                      double noise = 0.0, std::uint64_t seed = 0) {
+// Renders the image of a camera that shows the scene `fine_shift` fine pixels further to the right.
+inline cv::Mat Render(const cv::Mat& scene, int fine_shift, double noise = 0.0,
+                      std::uint64_t seed = 0) {
   Rng rng(seed, "noise");
   cv::Mat image(scene.rows / kSubpixelSteps, scene.cols / kSubpixelSteps - kMargin_px, CV_8UC1);
   for (int v = 0; v < image.rows; ++v) {
-    const int left = std::clamp(fine_shift(v), 0, kMargin_px * kSubpixelSteps);
     for (int u = 0; u < image.cols; ++u) {
       int sum = 0;
       for (int y = 0; y < kSubpixelSteps; ++y) {
         const std::uint8_t* row =
-            scene.ptr<std::uint8_t>(v * kSubpixelSteps + y) + u * kSubpixelSteps + left;
+            scene.ptr<std::uint8_t>(v * kSubpixelSteps + y) + u * kSubpixelSteps + fine_shift;
         for (int x = 0; x < kSubpixelSteps; ++x) sum += row[x];
       }
       const double value =
@@ -66,12 +63,6 @@ inline cv::Mat Render(const cv::Mat& scene, const std::function<int(int)>& fine_
     }
   }
   return image;
-}
-
-inline cv::Mat Render(const cv::Mat& scene, int fine_shift, double noise = 0.0,
-                      std::uint64_t seed = 0) {
-  return Render(
-      scene, [fine_shift](int) { return fine_shift; }, noise, seed);
 }
 
 inline StereoCamera CameraFor(const cv::Mat& image) {

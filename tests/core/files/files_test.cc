@@ -3,9 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/mount.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -116,22 +114,6 @@ TEST(WriteFilesAtomically, AFailedWriteChangesNothing) {
                              HasSubstr("cannot write"), HasSubstr(std::strerror(EFBIG))));
   EXPECT_EQ(test::ReadFile(folder.path() / "a.json"), "old");
   EXPECT_THAT(Names(folder.path()), ElementsAre("a.json"));
-}
-
-TEST(WriteFilesAtomically, DiskFull) {
-  const test::TempFolder folder;
-  const fs::path disk = folder.path() / "disk";
-  fs::create_directory(disk);
-  if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=64k") != 0) {
-    GTEST_SKIP() << "cannot mount a small disk: " << std::strerror(errno);
-  }
-  const std::string problem = ErrorMessage([&] {
-    WriteFilesAtomically(disk, {{"a.json", "short"}, {"b.txt", std::string(200'000, 'x')}});
-  });
-  const std::vector<std::string> names = Names(disk);
-  ::umount(disk.c_str());
-  EXPECT_THAT(problem, AllOf(HasSubstr("b.txt"), HasSubstr(std::strerror(ENOSPC))));
-  EXPECT_THAT(names, IsEmpty());
 }
 
 TEST(WriteFilesAtomically, FolderInsteadOfAFile) {

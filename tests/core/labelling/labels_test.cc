@@ -199,32 +199,6 @@ TEST(DropWeakBirths, RenumbersTheOthersAndReleasesThePoints) {
   EXPECT_EQ(frame.labels.points.front().second, ClusterId{6});
 }
 
-TEST(SecondLabel, IsTheBestOfTheOthersEvenIfBetterThanTheDecidedOne) {
-  EnergyMatrix total(2, 3);
-  total << 0.5, 2.0, 1.0,  //
-      3.0, 2.0, 1.0;
-  EXPECT_EQ(internal::SecondLabel(total, 0, 0), 2);
-  EXPECT_EQ(internal::SecondLabel(total, 1, 0), 2);
-  EXPECT_EQ(internal::SecondLabel(total, 1, 2), 1);
-}
-
-TEST(IsAllowed, FeaturesAreAllowedOnlyForTheirGivenBody) {
-  Frame frame;
-  Cluster cluster;
-  const auto allowed = [&](const std::vector<int>& given, int body) {
-    frame.frame.given.feature_body.clear();
-    for (const int id : given) frame.frame.given.feature_body.push_back(BodyId{id});
-    cluster.given_body = BodyId{body};
-    return frame.With([&](const FrameView& view) { return IsAllowed(view, cluster, 1); });
-  };
-  EXPECT_TRUE(allowed({}, 3));
-  EXPECT_TRUE(allowed({2, 3}, 3));
-  EXPECT_FALSE(allowed({3, 2}, 3));
-  EXPECT_FALSE(allowed({3, 0}, 3));
-  EXPECT_TRUE(allowed({2, -1}, 3));
-  EXPECT_FALSE(allowed({2, 3}, -1));
-}
-
 constexpr double kMinDisparity_px = 1.0;
 
 TEST(CollectPoints, OmitsOnlyNewPointsWithoutDisparity) {

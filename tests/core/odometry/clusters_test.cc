@@ -216,24 +216,6 @@ TEST_P(EveryVariantWithBodies, ReportsNoClusterFromASingleDetection) {
   EXPECT_THAT(run.clusters, IsEmpty());
 }
 
-TEST_P(EveryVariantWithBodies, RestartsInAnUnknownPlace) {
-  const ClusterRun run = Watch(34, [](int i, WorldView& view) {
-    if (i < 8) return;
-    for (std::size_t k = 0; k < view.of_body.size(); ++k) {
-      if (view.of_body[k] > 0) continue;
-      for (std::uint64_t& word : view.frame.features[k].descriptor) word = ~word;
-    }
-  });
-  ExpectSound(run);
-  // Static variants continue with the landmarks on the bodies.
-  if (GetParam().substr(0, 6) == "static" || IsPrinted()) return;
-  const int restart = 8 + TrackingOptions().restart_after;
-  EXPECT_EQ(run.reports[restart - 1].status, FrameStatus::kLost);
-  EXPECT_EQ(run.reports[restart].status, FrameStatus::kFirst);
-  EXPECT_EQ(run.reports[restart + 1].status, FrameStatus::kTracked);
-  ExpectClusters(!run.reports[33].clusters.empty());
-}
-
 TEST_P(EveryVariantWithBodies, AcceptsGivenLabelsAndBoxesTogether) {
   const ClusterRun run = Watch(12, [](int, WorldView& view) {
     view.frame.given.feature_body = test::BodyIds(view.of_body);

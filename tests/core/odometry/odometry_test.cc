@@ -17,11 +17,6 @@ namespace {
 
 using test::FeatureWorld;
 
-template <typename Policy>
-concept HasRvalueOverload = requires {
-  Policy::Show(StereoFrame());
-};
-
 struct MisspeltAxis : Full {
   using BoxRematches = NoBoxRematch;
 };
@@ -40,24 +35,6 @@ TEST(Axes, PolicyOfAnotherAxisIsRefused) {
   EXPECT_TRUE(EstimatorVariant<Full>);
   EXPECT_FALSE(EstimatorVariant<WrongPolicy>);
 }
-
-TEST(DetectionPolicies, ShowTheFrameItselfOrNothing) {
-  StereoFrame frame;
-  frame.features.resize(2);
-  frame.detections.resize(1);
-  frame.given.feature_body = {kStaticBody, BodyId{3}};
-  frame.given.detection_body = {BodyId{3}};
-  const ShownBodies shown = UseDetections::Show(frame);
-  EXPECT_EQ(shown.detections.data(), frame.detections.data());
-  EXPECT_EQ(shown.feature_body.data(), frame.given.feature_body.data());
-  EXPECT_EQ(shown.detection_body.data(), frame.given.detection_body.data());
-  const ShownBodies none = IgnoreDetections::Show(frame);
-  EXPECT_TRUE(none.detections.empty());
-  EXPECT_TRUE(none.feature_body.empty());
-  EXPECT_TRUE(none.detection_body.empty());
-}
-
-TEST(DetectionPolicies, RefuseTemporaryFrames) { EXPECT_FALSE(HasRvalueOverload<UseDetections>); }
 
 TEST(Instantiate, CreatesOnlyItsOwnVariants) {
   TaskPool pool(1);

@@ -51,12 +51,7 @@ Told Watch(const Story& story) {
     // Without a box the estimator takes the body for static, which must not affect the camera here.
     view.frame.given.world_from_camera = MovingWorld::CameraAt(frame);
     if (frame < story.detected_from) view.frame.detections.clear();
-    if (frame >= story.features_from) return;
-    for (std::size_t k = view.frame.features.size(); k-- > 0;) {
-      if (view.of_body[k] != 1) continue;
-      view.frame.features.erase(view.frame.features.begin() + static_cast<std::ptrdiff_t>(k));
-      view.of_body.erase(view.of_body.begin() + static_cast<std::ptrdiff_t>(k));
-    }
+    if (frame < story.features_from) test::RemoveFeatures(1, view);
   });
   Told told;
   const ClusterTrajectory* trajectory = FindTrajectory(run, ClusterOfBody(run, kFrames - 1, 1));
@@ -93,35 +88,6 @@ TEST(TraceBack, EndsAtTheOldestFrameOfTheWindow) {
 
 TEST(TraceBack, EndsWhereTheBodyWasNotObserved) {
   EXPECT_EQ(Watch({.detected_from = 8, .features_from = 4}).frames.front(), 4);
-}
-
-TEST(PredictBack, ExtrapolatesBackwardsFromTheNextTwoStates) {
-  const auto at = [](double time_s) {
-    return RigidTransform(ExpSo3({0.0, 0.5 * time_s, 0.0}), Eigen::Vector3d(time_s, 0.0, 4.0));
-  };
-  const Eigen::Vector3d velocity(1.0, 0.0, 0.0);
-  Cluster cluster;
-  cluster.frames = 3;
-  for (const int frame : {5, 6, 7}) {
-    cluster.states.push_back(
-        {FrameId{frame}, MovingWorld::TimeOf(frame), at(0.1 * frame), velocity});
-  }
-  // A state from before the loss must not be used.
-  cluster.states.insert(cluster.states.begin(), {FrameId{1}, MovingWorld::TimeOf(1), at(9.0), {}});
-  const Options options;
-  const PredictorAnytime predict = [&](const Cluster& moving, std::int64_t timestamp_ns) {
-    return PredictCluster<WhiteNoiseOnTranslation, ConstantAngularVelocity>(moving, timestamp_ns,
-                                                                            options.motion_prior);
-  };
-  KeptFrame kept;
-  kept.id = FrameId{3};
-  kept.frame.timestamp_ns = MovingWorld::TimeOf(3);
-  const PredictedCluster predicted = internal::PredictBack(predict, cluster, kept);
-  const RigidTransform off = predicted.world_from_object.Inverse() * at(0.3);
-  EXPECT_LT(off.translation().norm(), 1e-9);
-  EXPECT_LT(LogSo3(Eigen::Quaterniond(off.rotation())).norm(), 1e-9);
-  EXPECT_LT((predicted.velocity_m_s - velocity).norm(), 1e-12);
-  EXPECT_GT(predicted.translation_variance_m2, 0.0);
 }
 
 // Makes features beyond the left border of the right image visible in the left image only.
