@@ -23,7 +23,7 @@ using Trajectory = std::vector<TimedPose>;
 // A trajectory as a file tells it.
 struct TrajectoryFile {
   Trajectory poses;
-  std::vector<std::size_t> lines;  // of the poses, from 1
+  std::vector<std::size_t> lines;     // of the poses, from 1
   std::vector<std::size_t> left_out;  // lines with NaN
   // False if all quaternions are zero or the same: the file tells positions alone, and the
   // rotations of the poses mean nothing.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <array>
 #include <cmath>
@@ -230,6 +231,17 @@ TEST(SolveWindow, UnobservedFieldKeepsItsPriorDeviation) {
   const Vector6d sigma_px = summary.shared_information.inverse().diagonal().cwiseSqrt();
   EXPECT_LT(sigma_px[0], 0.2) << "the points say something of the mean";
   EXPECT_NEAR(sigma_px[3] / deviation_px[3], 1.0, 1e-3);
+}
+
+TEST(Marginalize, PriorOfAFreeWindowHasSixNullDirections) {
+  Rng rng(5, "window");
+  const WindowProblem problem = MakeProblem(4, 40, 0.2, rng);
+  const WindowPrior prior = Marginalize({}, problem, FrameId{10});
+  ASSERT_EQ(prior.frames.size(), 3u);
+  EXPECT_EQ(prior.J0.cols(), 6 * 3 + 6);
+  const Eigen::MatrixXd H = prior.J0.transpose() * prior.J0;
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues();
+  EXPECT_EQ((values.array() < 1e-8 * values.maxCoeff()).count(), 6);
 }
 
 // Returns a window in which landmark k is observed in the frames seen[k].
