@@ -21,8 +21,8 @@ void WriteFileBytes(const std::filesystem::path& path, std::string_view bytes);
 // Formats text from a file for a message: in quotes, at most 60 characters, always on one line.
 std::string Quoted(std::string_view text);
 
-// A text file, without a byte order mark, as lines without their line ends ("\n" or "\r\n"; the
-// last line may have none). Drops blank lines at the end.
+// A text file as lines without byte order mark and line ends ("\n" or "\r\n"; the last line may
+// have none). Drops blank lines at the end.
 class TextFile {
  public:
   explicit TextFile(std::filesystem::path path);
@@ -41,9 +41,8 @@ class TextFile {
   bool ends_with_newline_ = true;
 };
 
-// One line of a TextFile, split into columns at blanks or other separators. The functions throw
-// Error with file, line, column, what was found and what was expected if they cannot parse it. The
-// file must outlive it.
+// One line of a TextFile, split into columns at separators. The functions throw Error with file,
+// line, column, what was found and what was expected if they fail. The file must outlive it.
 class TextRow {
  public:
   TextRow(const TextFile& file, std::size_t index, std::string_view separators = " \t");
