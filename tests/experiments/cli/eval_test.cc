@@ -69,7 +69,7 @@ TEST_F(Eval, ReadsKittiPosesLineByLine) {
 TEST_F(Eval, BadTrajectories) {
   const std::string good = Write("good.tum", "0 0 0 0 0 0 0 1\n1 1 0 0 0 0 0 1\n");
   const auto bad = [&](const std::string& text) { return Evaluate(good, Write("bad.tum", text)); };
-  ExpectError(bad("0 0 0 0 0 0 0 1\n1 nan 0 0 0 0 0 1\n"), "bad.tum:2", 1);
+  ExpectError(bad("0 0 0 0 0 0 0 1\n1 nan 0 0 0 0 0 1\n"), "bad.tum: found 1 poses", 1);
   ExpectError(bad("1 0 0 0 0 0 0 1\n0 1 0 0 0 0 0 1\n"), "bad.tum:2", 1);
   ExpectError(bad("# no pose\n"), "bad.tum", 1);
   ExpectError(bad("1 2 3\n"), "bad.tum:1", 1);
