@@ -187,8 +187,9 @@ TEST_F(SuiteFaults, Quadratic) {
   std::string truth;
   std::string estimate;
   for (int i = 0; i < 120'000; ++i) {
-    truth += StrCat(i, " ", i, " 0 0 0 0 0 1\n");
-    estimate += StrCat(i, " ", i + i % 2, " 0 0 0 0 0 1\n");
+    const char* turned = i % 2 == 0 ? " 0 0 0 0 0 1\n" : " 0 0 0 0 0.6 0.8\n";
+    truth += StrCat(i, " ", i, turned);
+    estimate += StrCat(i, " ", i + i % 2, turned);
   }
   const std::string a = folder_.Write("a.tum", truth);
   const std::string b = folder_.Write("b.tum", estimate);
