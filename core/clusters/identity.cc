@@ -28,6 +28,10 @@ constexpr double kPointDeviation = 0.4;
 // prediction: cars of one model share their landmarks, but no car jumps.
 constexpr double kGate = 3.0;
 
+double PointDeviation_m(const Cluster& found) {
+  return kPointDeviation * found.half_size_m.maxCoeff();
+}
+
 // Whether two clusters may be the same body, judged by class and given body.
 bool MayBeOne(const Cluster& found, const Cluster& lost) {
   const bool are_given = found.given_body.valid() && lost.given_body.valid();
@@ -114,8 +118,8 @@ std::optional<RigidTransform> AlignLandmarks(const ClusterAssociationOptions& as
     from.col(column) = found.landmarks[matches[i].feature].p_in_object;
     to.col(column) = lost.landmarks[matches[i].landmark].p_in_object;
   }
-  return AlignPointsRansac(from, to, kPointDeviation * found.half_size_m.maxCoeff(),
-                           association.min_rematch, kRansacIterations, rng);
+  return AlignPointsRansac(from, to, PointDeviation_m(found), association.min_rematch,
+                           kRansacIterations, rng);
 }
 
 void Inherit(const Cluster& lost, const RigidTransform& lost_from_found, ClusterMap& map,
@@ -142,8 +146,8 @@ bool IsReachable(const PredictedCluster& lost, const Cluster& found,
                  const RigidTransform& lost_from_found) {
   const RigidTransform world_from_lost =
       found.Latest().world_from_object * lost_from_found.Inverse();
-  const double deviation_m = std::hypot(std::sqrt(lost.translation_variance_m2),
-                                        kPointDeviation * found.half_size_m.maxCoeff());
+  const double deviation_m =
+      std::hypot(std::sqrt(lost.translation_variance_m2), PointDeviation_m(found));
   return (world_from_lost.translation() - lost.world_from_object.translation()).norm() <=
          kGate * deviation_m;
 }
@@ -172,11 +176,12 @@ void Remove(ClusterId id, FrameId newest, ClusterMap& map) {
 }  // namespace
 
 void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng& rng) {
+  const std::vector<const Cluster*> lost_clusters = LostClusters(step, map);
   std::vector<ClusterId> inherited;
   for (Cluster& found : map.live) {
     const bool is_new = found.frames <= kCompareFrames && found.last_observed == step.newest;
     if (!is_new || !IsConfirmed(found, step.clusters)) continue;
-    for (const Cluster* lost : LostClusters(step, map)) {
+    for (const Cluster* lost : lost_clusters) {
       if (!MayBeOne(found, *lost) || std::ranges::count(inherited, lost->id) > 0) continue;
       const auto lost_from_found = AlignLandmarks(step.association, *lost, found, rng);
       if (!lost_from_found || !IsReachable(step.predict(*lost), found, *lost_from_found)) continue;
