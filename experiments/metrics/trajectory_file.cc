@@ -93,12 +93,18 @@ std::int64_t UnitOf(const std::vector<TextRow>& rows) {
   return TimeUnit_ns(times.front(), steps[steps.size() / 2]);
 }
 
-RigidTransform ReadPose(const TextRow& row, bool w_first) {
+// A quaternion of zeros, which tells no rotation, gives the identity.
+struct RowPose {
+  RigidTransform pose;
+  bool is_zero = false;
+};
+
+RowPose ReadPose(const TextRow& row, bool w_first) {
   const std::size_t w = w_first ? 4 : 7;
   const std::size_t x = w_first ? 5 : 4;
   const Eigen::Vector3d translation(row.Number(1), row.Number(2), row.Number(3));
   const Eigen::Quaterniond q(row.Number(w), row.Number(x), row.Number(x + 1), row.Number(x + 2));
-  if (q.norm() == 0.0) return {Eigen::Quaterniond::Identity(), translation};
+  if (q.coeffs().isZero(0.0)) return {{Eigen::Quaterniond::Identity(), translation}, true};
   constexpr double kTolerance = 0.05;
   if (!(std::abs(q.norm() - 1.0) <= kTolerance)) {
     row.Fail(StrCat("a quaternion of length ", q.norm()),
@@ -109,13 +115,7 @@ RigidTransform ReadPose(const TextRow& row, bool w_first) {
   if (std::abs(q.squaredNorm() - 1.0) <= 4.0 * std::numeric_limits<double>::epsilon()) {
     std::copy(q.coeffs().data(), q.coeffs().data() + 4, pose.data());
   }
-  return pose;
-}
-
-bool IsZero(const TextRow& row) {
-  double sum = 0.0;
-  for (std::size_t k = 4; k < kPoseColumns; ++k) sum += std::abs(row.Number(k));
-  return sum == 0.0;
+  return {pose};
 }
 
 // Whether the rotations differ; those of one pose alone do, unless it has none.
@@ -166,8 +166,9 @@ TrajectoryFile ReadTrajectory(const std::filesystem::path& path) {
       row.Fail("time " + Quoted(row.Text(0)),
                StrCat("one after ", FormatSecondsNs(read.poses.back().timestamp_ns)));
     }
-    read.poses.push_back({time_ns, ReadPose(row, columns.w_first)});
-    if (IsZero(row)) ++zeros;
+    const auto [pose, is_zero] = ReadPose(row, columns.w_first);
+    read.poses.push_back({time_ns, pose});
+    if (is_zero) ++zeros;
     if (zeros > 0 && zeros < read.poses.size()) {
       row.Fail("a quaternion of length 0 in some rows", "quaternions in all rows or in none");
     }

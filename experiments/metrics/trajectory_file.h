@@ -36,9 +36,6 @@ struct TrajectoryFile {
 // (TimeUnit_ns). Lines of comments start with #. Quaternions are normalised if their length is
 // within 0.05 of 1. Throws Error with file and line.
 TrajectoryFile ReadTrajectory(const std::filesystem::path& path);
-inline Trajectory ReadTumTrajectory(const std::filesystem::path& path) {
-  return ReadTrajectory(path).poses;
-}
 // Written files read back as the same trajectory, with times exact to 1 ns.
 std::string FormatTumTrajectory(const Trajectory& trajectory);
 

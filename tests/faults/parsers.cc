@@ -144,7 +144,7 @@ std::vector<Parser> SequenceParsers() {
        [](const fs::path& file) { ReadKittiPoses(file); }},
       {"trajectory",
        {"# comment\n1.5 1 2 3 0 0 0 1\n2.5 1 2 3 0 0 0.6 0.8\n"},
-       [](const fs::path& file) { ReadTumTrajectory(file); }},
+       [](const fs::path& file) { ReadTrajectory(file); }},
       {"oxts",
        {"49 8 112" + Repeated(" 0.1", 27) + "\n"},
        [](const fs::path& file) { ImuPoses(ReadOxtsPackets(file)); }},

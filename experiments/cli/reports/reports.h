@@ -125,9 +125,8 @@ struct PlotInput {
   std::vector<reports::BodyDetail> bodies;  // runs only
 };
 
-// Reads a trajectory. A folder is a run; a file is in KITTI's format or
-// one that ReadTrajectory reads. Throws Error naming the file, the line and what was
-// expected.
+// Reads a trajectory. A folder is a run; a file is in KITTI's format or one that ReadTrajectory
+// reads. Throws Error naming the file, the line and what was expected.
 PlotInput ReadPlotInput(const std::string& path);
 
 // Makes the names unique and the times comparable: if one of the inputs is a KITTI file, all poses

@@ -44,7 +44,7 @@ TEST(Trajectory, InterpolatesPositionsAndRotations) {
 class TumTrajectory : public testing::Test {
  protected:
   Trajectory Read(const std::string& text) {
-    return ReadTumTrajectory(folder_.Write("trajectory.txt", text));
+    return ReadTrajectory(folder_.Write("trajectory.txt", text)).poses;
   }
   std::string ReadError(const std::string& text) {
     return ErrorMessage([&] { Read(text); });
@@ -77,7 +77,7 @@ TEST_F(TumTrajectory, RoundTripIsExact) {
   }
   const std::filesystem::path path = folder_.path() / "round_trip.txt";
   WriteFileBytes(path, FormatTumTrajectory(written));
-  const Trajectory read = ReadTumTrajectory(path);
+  const Trajectory read = ReadTrajectory(path).poses;
   ASSERT_EQ(read.size(), written.size());
   for (std::size_t i = 0; i < read.size(); ++i) {
     EXPECT_EQ(read[i].timestamp_ns, written[i].timestamp_ns);

@@ -152,12 +152,12 @@ TEST(ShippedTrajectories, AreFilesOfTheUnchangedScenes) {
   const Suite suite = SuiteWithPeers("indoor_1");
   const SystemFiles files = SystemFilesOf(suite, ExpandSuite(suite).at(0), "", folder.path());
   EXPECT_EQ(files.name, "ORB-SLAM2");
-  EXPECT_EQ(ReadTumTrajectory(files.camera).size(), 250u);
+  EXPECT_EQ(ReadTrajectory(files.camera).poses.size(), 250u);
   for (const ShippedTrajectory& shipped : ShippedTrajectories()) {
     SuiteSequence sequence;
     sequence.scene = sequence.name = shipped.scene;
     const auto all = ShippedSystemFiles(std::string(shipped.system), sequence, folder.path());
-    EXPECT_EQ(static_cast<int>(ReadTumTrajectory(all.camera).size()),
+    EXPECT_EQ(static_cast<int>(ReadTrajectory(all.camera).poses.size()),
               synth::LoadScene(sequence.scene, {}).parts().frames)
         << shipped.scene;
   }
