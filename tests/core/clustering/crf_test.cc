@@ -88,11 +88,13 @@ CrfMatrix Reference(const CrfMatrix& energies, const Eigen::MatrixXd& kernel, do
   return q;
 }
 
-// The three sizes fit into one tile, span several tiles, and have tiles beyond the cut-off.
+// The three sizes fit into one tile, span several tiles, and have tiles beyond the cut-off. The
+// numbers of labels fill no lane, one, and more than two.
 TEST(DenseCrf, AgreesWithDoublePrecisionReference) {
   Rng rng(2, "crf");
-  for (const auto& [nodes, size_m] : {std::pair(40, 1.0), std::pair(300, 3.0), {500, 20.0}}) {
-    Problem problem = RandomProblem(nodes, 8, size_m, 6.0, rng);
+  for (const auto& [nodes, labels, size_m] :
+       {std::tuple(40, 3, 1.0), std::tuple(300, 8, 3.0), std::tuple(500, 19, 20.0)}) {
+    Problem problem = RandomProblem(nodes, labels, size_m, 6.0, rng);
     problem.points.colwise() += Eigen::Vector3d(2000.0, -30.0, 7000.0);
     const CrfMatrix reference =
         Reference(problem.energies, NormalizedKernel(problem.points, 0.7071), 5.0, 10);
