@@ -3,8 +3,11 @@
 #pragma once
 
 #include "variants/full.h"
+#include "variants/paper.h"
 
 namespace cvo {
+
+struct CeresSolver;  // core/ceres/ceres_solvers.h
 
 // Each variant removes something from Full; all.h asserts the number of axes that differ.
 struct Only2d : Full {
@@ -135,6 +138,29 @@ struct StaticTrustCalibration : Static {
     options.stereo.max_row_correction_px = 0.0;
     options.noise.right_mean_px = 0.0;
   }
+};
+
+// Each variant solves its windows with the Ceres library and is otherwise the same as OwnSolver.
+// They are in builds with Ceres alone (CVO_CERES).
+struct FullCeres : Full {
+  using OwnSolver = Full;
+  static constexpr std::string_view kName = "full_ceres";
+  static constexpr std::string_view kChanges = "full; windows are solved by Ceres";
+  using Solver = CeresSolver;
+};
+
+struct PaperCeres : Paper {
+  using OwnSolver = Paper;
+  static constexpr std::string_view kName = "paper_ceres";
+  static constexpr std::string_view kChanges = "paper; windows are solved by Ceres";
+  using Solver = CeresSolver;
+};
+
+struct StaticCeres : Static {
+  using OwnSolver = Static;
+  static constexpr std::string_view kName = "static_ceres";
+  static constexpr std::string_view kChanges = "static; windows are solved by Ceres";
+  using Solver = CeresSolver;
 };
 
 }  // namespace cvo

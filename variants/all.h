@@ -10,6 +10,7 @@
 #include "ceres_list.h"
 #include "core/odometry/axes.h"
 #include "variants/ablations.h"
+#include "variants/full.h"
 #include "variants/ladder.h"
 
 namespace cvo {

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "core/base/error.h"
+#include "variants/full.h"
 #include "variants/paper.h"
 
 namespace cvo {

@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "variants/all.h"
-#include "variants/instantiate.h"
 
 namespace cvo {
 

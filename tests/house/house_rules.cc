@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kLongestFile = 400;
 constexpr int kShortestFile = 60;
+constexpr std::size_t kUsersOfAShortFile = 3;
 
 std::vector<std::string> Lines(const std::string& content) {
   std::vector<std::string> lines;
@@ -171,12 +172,16 @@ std::vector<std::string> CheckConcepts(const std::vector<SourceFile>& files) {
   }
   std::vector<std::string> violations;
   for (const SourceFile& file : files) {
+    if (!IsCode(file.path)) continue;
     const long count = lines[stem(file.path)];
-    if (IsCode(file.path) && count < kShortestFile) {
-      violations.push_back(StrCat(file.path, ":1: ", count, " lines, at least ", kShortestFile));
+    const std::set<std::string>& users = includers[stem(file.path) + ".h"];
+    if (count < kShortestFile && users.size() < kUsersOfAShortFile) {
+      violations.push_back(StrCat(file.path, ":1: ", count, " lines, at least ", kShortestFile,
+                                  ", or ", kUsersOfAShortFile, " files that include it"));
     }
-    if (file.path.ends_with(".h") && includers[file.path].size() == 1) {
-      violations.push_back(file.path + ":1: only " + *includers[file.path].begin() +
+    if (file.path.ends_with(".h") && users.size() == 1 &&
+        count + lines[stem(*users.begin())] <= kLongestFile) {
+      violations.push_back(file.path + ":1: only " + *users.begin() +
                            " includes it: it belongs there");
     }
   }

@@ -27,8 +27,8 @@ std::vector<std::string> CheckLicense(const SourceFile& file);
 // Sources have at most 400 lines.
 std::vector<std::string> CheckLength(const SourceFile& file);
 
-// A file is a concept: a source, or a header with its .cc, has at least 60 lines, and a header more
-// than one includer apart from its own .cc.
+// A file is a concept: a source, or a header with its .cc, has at least 60 lines or three files
+// that include it, and a header that only one file includes would make that file too long.
 std::vector<std::string> CheckConcepts(const std::vector<SourceFile>& files);
 
 // No part contains text that is forbidden in it: preprocessor branches and macros in the estimator,

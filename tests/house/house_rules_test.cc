@@ -100,9 +100,12 @@ TEST(Concepts, AreNeitherShortNorAHeaderOfOneFile) {
   EXPECT_THAT(CheckConcepts({header, own, user, test}), IsEmpty());
   EXPECT_THAT(CheckConcepts({header, own, user}),
               ElementsAre("core/a.h:1: only core/b.cc includes it: it belongs there"));
+  EXPECT_THAT(CheckConcepts({header, {"core/a.cc", std::string(300, '\n')}, user}), IsEmpty());
   EXPECT_THAT(CheckConcepts({{"core/a.h", "\n"}, {"core/a.cc", lines}}), IsEmpty());
   EXPECT_THAT(CheckConcepts({{"core/a.cc", std::string(59, '\n')}}),
-              ElementsAre("core/a.cc:1: 59 lines, at least 60"));
+              ElementsAre("core/a.cc:1: 59 lines, at least 60, or 3 files that include it"));
+  const SourceFile another{"core/c.cc", "#include \"core/a.h\"" + lines};
+  EXPECT_THAT(CheckConcepts({{"core/a.h", "\n"}, user, test, another}), IsEmpty());
 }
 
 // Two flags are in two literals, or the rule would match this file.

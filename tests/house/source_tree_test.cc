@@ -81,7 +81,7 @@ TEST(SourceTree, HasNoForbiddenText) { EXPECT_THAT(OnAll(CheckForbiddenText), Is
 
 TEST(SourceTree, CitationsExist) { EXPECT_THAT(CheckCitations(Sources(), Documents()), IsEmpty()); }
 
-TEST(SourceTree, DISABLED_FilesAreConcepts) { EXPECT_THAT(CheckConcepts(Sources()), IsEmpty()); }
+TEST(SourceTree, FilesAreConcepts) { EXPECT_THAT(CheckConcepts(Sources()), IsEmpty()); }
 
 TEST(SourceTree, EverySourceIsBuilt) { EXPECT_THAT(CheckRegistered(Sources()), IsEmpty()); }
 

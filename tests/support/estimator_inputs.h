@@ -3,11 +3,12 @@
 #pragma once
 
 #include "core/base/rng.h"
+#include "core/clustering/dense_crf.h"
 #include "core/features/descriptor.h"
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/frame.h"
 
-// Cameras, features and poses for tests of the estimator.
+// Cameras, features, poses and landmarks to label for tests of the estimator.
 namespace cvo::test {
 
 // Returns a camera with square pixels and the principal point in the middle of the image.
@@ -37,6 +38,30 @@ inline ClusterPose PoseInFrame(std::int64_t frame, std::int64_t timestamp_ns, Cl
   report.status = status;
   report.world_from_object = world_from_object;
   return {report, frame, timestamp_ns};
+}
+
+inline const StereoCamera kSceneCamera = {.fx = 700,
+                                          .fy = 700,
+                                          .cx = 600,
+                                          .cy = 180,
+                                          .baseline_m = 0.5,
+                                          .width_px = 1242,
+                                          .height_px = 375,
+                                          .right_shift_px = 0.1};
+
+inline CrfLabel MakeLabel(LabelKind kind) {
+  CrfLabel label;
+  label.kind = kind;
+  return label;
+}
+
+// Returns a landmark observed without error, whose position has a standard deviation of 1 cm.
+inline CrfNode NodeAt(const Eigen::Vector3d& p_in_camera) {
+  CrfNode node;
+  node.z_px = *kSceneCamera.Project(p_in_camera);
+  node.p_in_camera = p_in_camera;
+  node.covariance_m2 = 1e-4 * Eigen::Matrix3d::Identity();
+  return node;
 }
 
 }  // namespace cvo::test

@@ -8,7 +8,7 @@
 
 #include "core/base/rng.h"
 #include "core/clustering/unary_terms.h"
-#include "tests/core/clustering/scene.h"
+#include "tests/support/estimator_inputs.h"
 
 namespace cvo::motion_test {
 namespace {

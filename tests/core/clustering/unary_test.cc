@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/clustering/unary_terms.h"
-#include "tests/core/clustering/scene.h"
 #include "tests/support/error_message.h"
+#include "tests/support/estimator_inputs.h"
 
 namespace cvo::unary_test {
 namespace {

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
+#include "core/ceres/ceres_solvers.h"
 #include "core/odometry/visual_odometry.h"
 #include "tests/support/moving_world.h"
-#include "variants/ceres_variants.h"
+#include "variants/ablations.h"
+#include "variants/paper.h"
 
 namespace cvo {
 namespace {

@@ -9,7 +9,6 @@
 #include "tests/support/estimator_inputs.h"
 #include "tests/support/feature_world.h"
 #include "variants/all.h"
-#include "variants/instantiate.h"
 #include "variants/registry.h"
 
 namespace cvo::odometry_test {
