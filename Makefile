@@ -113,8 +113,12 @@ fuzz: clang deps build/fuzz/CTestTestfile.cmake ## give every parser RUNS=100000
 	  xargs -P $(or $(JOBS),$$(nproc)) -I@ ../tests/faults/fuzz_target @ -runs=$(RUNS) -max_total_time=$(SECONDS) \
 	  -timeout=20 -verbosity=0 -print_final_stats=1 -artifact_prefix=@/finding- @/corpus @/seeds
 
-bench: build ## run the benchmarks, JSON to build/release/bench
-	cmake --build --preset release --target run_benchmarks
+# With KITTI: drive 0013 with its boxes; without, a rendered scene.
+drive := $(DATA)/kitti_raw/2011_09_26/2011_09_26_drive_0013_sync
+bench: build ## time of a frame, as ratios to decoding and OpenCV's ORB (DATA=<KITTI folder>)
+	cmake --build --preset release --target frame_time $(jobs)
+	$(if $(DATA),,$(release)/bin/clustervo synth render crowd -o $(release)/bench/crowd)
+	$(release)/tests/bench/frame_time $(if $(DATA),$(drive) $(DATA)/kitti_tracking/training/det_02_regionlets/0003.txt 2,$(release)/bench/crowd good)
 
 # Two thirds of the tests are the same ones for every variant; each half ends within the hour.
 asan: deps $(asan)/CTestTestfile.cmake ## build with address and undefined-behaviour sanitizers, run the tests
