@@ -9,8 +9,8 @@ namespace cvo {
 struct OrbOptions {
   static constexpr int kMaxFeatures = 100000;
 
-  int features = 2000;         // corners per image
-  double reserve = 1.0;        // density of the reserve, relative to that of `features`
+  int features = 1500;         // corners per image
+  double reserve = 1.7;        // density of the reserve, relative to that of `features`
   int reserve_frames = 3;      // frames for which a box keeps a reserve around it
   int box_features = 100;      // corners up to which the reserve fills each box
   int levels = 8;              // pyramid levels
@@ -31,7 +31,7 @@ struct OrbOptions {
                 {"1", 0.0, 10.0,
                  "additional corners in and near detections, because bodies are small; density as "
                  "if reserve * orb.features corners were spread over the whole image",
-                 "METHOD.md 2.1: chosen from 0 ... 2 on the rooms and streets"});
+                 "METHOD.md 2.1"});
     visit.Field("reserve_frames", self.reserve_frames,
                 {"frames", 1, 100,
                  "number of frames for which the area around a detection keeps additional corners, "

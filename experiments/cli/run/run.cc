@@ -321,7 +321,7 @@ Command AddRunCommand(CLI::App& program) {
       "Examples:\n"
       "  clustervo run kitti_raw/2011_09_26/2011_09_26_drive_0001_sync -o results/0001\n"
       "  clustervo run kitti_odometry/sequences/06 -o results/06 --frames 0:51 \\\n"
-      "      --set window.spatial=5 --set orb.features=1500");
+      "      --set window.spatial=5 --set orb.features=2000");
   return {app, [flags] { return Run(*flags); }};
 }
 
