@@ -162,8 +162,10 @@ TEST_F(SuiteFaults, Leftovers) {
     fs::create_directories(left.back());
     fs::last_write_time(left.back(), fs::file_time_type::clock::now() - std::chrono::hours(25));
   }
+  const fs::path live = folder_.Write(fs::path("out") / TemporaryName("live"), "table");
   fs::remove(FirstResult());
   ExpectDone(Suite("run"));
+  EXPECT_TRUE(fs::exists(live));
   for (const fs::path& path : left) EXPECT_FALSE(fs::exists(path)) << path;
 }
 

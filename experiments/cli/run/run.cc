@@ -23,6 +23,7 @@
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/build_plan.h"
+#include "experiments/suite/job_status.h"
 #include "synth/write/render_cache.h"
 #include "variants/registry.h"
 
@@ -249,6 +250,7 @@ int Run(const Flags& flags) {
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
   read.emplace_back(flags.config);
   const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);
+  const FolderLock lock(output.path() / "lock");
 
   RequireAsRendered(sequence);
   const std::optional<RunResult> run = [&] {

@@ -133,7 +133,6 @@ class SuiteRun {
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(EngineOf(flags.engine, suite_).Make(folder_)) {
-    RemoveTemporaries(folder_.root);
     synth::RemoveLeftoversOfCache(flags.suite.Request().cache);
   }
 

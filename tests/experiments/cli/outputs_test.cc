@@ -179,7 +179,9 @@ TEST_F(CliOutputs, InputsAreNeverOverwritten) {
       {"experiment", "table", Path("suite"), "--format", "csv", "-o", Path("suite/plan.json")},
       {"experiment", "table", "--from", Path("suite/table.json"), "-o", Path("suite/table.json")},
       {"check", Path("suite"), "--write-baseline", Path("suite/plan.json")},
-      {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", Path("base.json")}};
+      {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", Path("base.json")},
+      {"check", Path("suite"), "--write-baseline", Path("run/result.json")},
+      {"experiment", "table", Path("suite"), "--format", "csv", "-o", Path("run/objects.csv")}};
   fs::create_directories(Path("run/clusters"));
   std::string other = test::ReadFile(Path("suite.json"));
   folder_->Write("other.json", other.replace(other.find("small"), 5, "other"));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
+#include "experiments/suite/job_status.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/real_data.h"
 
@@ -114,6 +116,17 @@ TEST_F(CliRun, AnotherRunIsNotReplaced) {
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
   folder_.Write("out/result.json", "{");
   ExpectError(Run(out(), {"-q"}), "; use --force to replace it", 2);
+}
+
+TEST_F(CliRun, OwnsItsFolder) {
+  fs::create_directory(out());
+  {
+    const FolderLock lock(out() / "lock");
+    ExpectError(Run(out(), {"-q"}), StrCat(": found in use by process ", ::getpid(), " on "), 1);
+    EXPECT_FALSE(fs::exists(out() / "result.json"));
+  }
+  EXPECT_EQ(Run(out(), {"-q"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out() / "lock"));
 }
 
 // If frames are lost, the trajectory of predictions is still written, but the run fails and names
