@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -240,6 +241,7 @@ int main(int argc, char** argv) {
   const cvo::CleanOutput err(std::cerr);
   try {
     cvo::ReplaceClosedStreams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond `ulimit -f` fails instead
     return cvo::CheckPrinted(cvo::Main(argc, argv));
   } catch (const cvo::UsageError& error) {
     return cvo::Fail(error.what(), cvo::kUsage);
