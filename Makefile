@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build program report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
+.PHONY: help deps build program demo report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -47,9 +47,10 @@ build/%/CTestTestfile.cmake: | build/%/build.ninja
 build: deps $(release)/CTestTestfile.cmake ## build everything, Release
 	cmake --build --preset release $(jobs)
 
-# The program alone, without tests and benchmarks.
+# The program, and the Python package where its packages are; no tests and benchmarks.
 program: $(release)/build.ninja
-	cmake --build --preset release --target clustervo $(jobs)
+	cmake --build --preset release $(jobs) --target clustervo \
+	  $$(grep -qs '^build cvo_python:' $(release)/build.ninja && echo cvo_python)
 
 # A suite to results/<suite>: what is done there is not done again. Its table is printed also where
 # some jobs failed, which the exit code then says.
@@ -57,6 +58,11 @@ suite = $(release)/bin/clustervo experiment run $(1) -o results/$(1) $(addprefix
 	$(if $(DATA),--data "$(DATA)"); code=$$?; test $$code -le 1 || exit $$code; \
 	$(release)/bin/clustervo experiment table results/$(1) && \
 	echo "page: results/$(1)/report/index.html, written by: make report SUITE=$(1)" && exit $$code
+
+demo: program ## render one room, run two variants on it, draw a picture and write a page
+	@$(call suite,demo)
+	@$(release)/bin/clustervo report results/demo
+	@$(release)/bin/clustervo overlay --suite results/demo --sequence room_3 --frame 40 -o results/demo/pictures -q
 
 table: program ## the paper's ablation on rooms of the test split, end to end: its table, and results/ablation
 	@$(call suite,ablation)

@@ -182,7 +182,7 @@ std::function<void(std::size_t, std::size_t)> Progress::Reporter() {
 
 std::string Progress::Text(std::size_t done, std::size_t total) const {
   const std::string counts = StrCat(done, "/", total, " ", unit_);
-  if (done == 0) return counts;
+  if (done == 0) return counts + "  time left not known yet";
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
   const double rate = static_cast<double>(done) / std::max(elapsed_s, 1e-9);
   const bool slow = rate < 1.0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <numeric>
+#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -167,6 +168,7 @@ SuiteSystem ReadSystem(ObjectReader object, const std::vector<SuiteSequence>& se
 }
 
 std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
+  if (!object.Has("seeds")) return {1};
   const Json& value = object.Value("seeds");
   std::vector<std::uint64_t> seeds;
   if (!value.is_array()) {
@@ -210,10 +212,22 @@ std::vector<std::vector<std::string>> ReadOracles(ObjectReader& object) {
   return oracles;
 }
 
-SuiteTable ReadTable(ObjectReader table) {
-  SuiteTable read;
+// The table of a suite that does not state one.
+SuiteTable StandardTable(const Suite& suite) {
+  SuiteTable table;
+  for (const GridAxis& axis : suite.grid) {
+    if (axis.values.size() > 1) table.rows.push_back(axis.path);
+  }
+  table.metrics = {"camera_ate",      "object_ate",         "object_success_10cm",
+                   "object_coverage", "object_id_switches", "moving_precision"};
+  if (suite.variants.size() > 1) table.reference = suite.variants.front();
+  return table;
+}
+
+SuiteTable ReadTable(ObjectReader table, const SuiteTable& standard) {
+  SuiteTable read = standard;
   if (table.Has("rows")) read.rows = ReadTextsOf(table, "rows");
-  read.metrics = ReadTexts(table.Value("metrics"), table.Where("metrics"));
+  if (table.Has("metrics")) read.metrics = ReadTextsOf(table, "metrics");
   read.reference = table.TextOr("reference", "");
   table.Finish();
   return read;
@@ -255,7 +269,8 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   }
   suite.timed_threads = object.IntegerOr("timed_threads", {1, kMaxTimedThreads}, 0);
   suite.landmarks = object.BoolOr("landmarks", false);
-  suite.table = ReadTable(object.Object("table"));
+  suite.table = StandardTable(suite);
+  if (object.Has("table")) suite.table = ReadTable(object.Object("table"), suite.table);
   object.Finish();
   return suite;
 }
@@ -302,6 +317,13 @@ Json ParseValue(const std::string& text) {
   }
 }
 
+std::vector<std::string> Listed(const std::string& text) {
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+  return parts;
+}
+
 // A path that is no option, or that is an axis, becomes an axis with this value alone.
 void Set(const std::string& assignment, Json& suite) {
   const std::size_t equals = assignment.find('=');
@@ -322,6 +344,28 @@ void Set(const std::string& assignment, Json& suite) {
 }
 
 }  // namespace
+
+Json SweepDefinition(const std::string& name, const SuiteSweep& sweep) {
+  Json json = {{"name", name}, {"variants", Listed(sweep.variants)}};
+  for (const std::string& scene : Listed(sweep.scenes)) {
+    const std::size_t at = scene.find('@');
+    Json sequence = {{"detections", "good"},
+                     {at == scene.npos ? "scene" : "family", scene.substr(0, at)}};
+    if (at != scene.npos) sequence["seeds"] = scene.substr(at + 1);
+    json["sequences"].push_back(sequence);
+  }
+  for (const std::string& axis : sweep.grid) {
+    const std::size_t equals = axis.find('=');
+    if (equals == 0 || equals == axis.npos) {
+      ThrowError("--grid " + axis, "no PATH=A,B,...", "such as pairwise.alpha=0,5,20");
+    }
+    Json& values = json["grid"][axis.substr(0, equals)] = Json::array();
+    for (const std::string& value : Listed(axis.substr(equals + 1))) {
+      values.push_back(ParseValue(value));
+    }
+  }
+  return json;
+}
 
 Suite Override(const Suite& suite, const SuiteOverrides& overrides) {
   Json json = suite.definition;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -197,14 +198,15 @@ void PrintProblems(const RunResult& run) {
   }
 }
 
-// Prints by how much u_right is too large, as a mean over the image.
+// Prints by how much u_right is too large, as a mean over the image, unless it may be zero.
 void PrintCalibration(const RunResult& run) {
   const std::optional<CalibrationReport> calibration = LastCalibration(run);
   if (!calibration) return;
   const double shift_px = run.sequence.camera.right_shift_px + calibration->right_field_px[0];
+  const double deviation_px = std::sqrt(calibration->Covariance_px2()(0, 0));
+  if (std::abs(shift_px) < 2.0 * deviation_px) return;
   std::cout << "self-calibration: u_right is too large by " << ReadableNumber(shift_px) << " +- "
-            << ReadableNumber(std::sqrt(calibration->Covariance_px2()(0, 0)))
-            << " px (mean over the image)\n";
+            << ReadableNumber(deviation_px) << " px (mean over the image)\n";
 }
 
 void PrintSummary(const RunResult& run, bool all) {
@@ -237,7 +239,41 @@ void RefuseLost(const RunResult& run) {
   throw Error(run.message + (pair && !pair->problem.empty() ? ": " + pair->problem : ""));
 }
 
-int Run(const Flags& flags) {
+// The folder of the results if none is given.
+std::string DefaultOutput(const Flags& flags) {
+  const StereoImport& stereo = flags.sequence.stereo;
+  const fs::path input = stereo.left.empty() ? flags.sequence.folder : stereo.left.parent_path();
+  const std::string name = NormalFolder(fs::absolute(input)).filename().string();
+  return StrCat("results/", name, flags.variant == "full" ? "" : "_" + flags.variant);
+}
+
+// A rendered scene has boxes of its own. Without any, says so before the run.
+SequenceRequest WithBoxes(SequenceRequest request, const Flags& flags) {
+  if (!flags.sequence.detections_file.empty()) return request;
+  const std::vector<std::string> levels = DetectorLevels(request.folder);
+  if (std::find(levels.begin(), levels.end(), "good") != levels.end()) {
+    request.detections_file = "good";
+  } else if (!flags.quiet) {
+    PrintNotice(
+        "no boxes: bodies are not estimated; --detections FILE reads boxes, "
+        "`clustervo detect` makes them");
+  }
+  return request;
+}
+
+// The path as a word of a command line.
+std::string ShellWord(const std::string& path) {
+  const bool plain = std::all_of(path.begin(), path.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("/._-+=@:,").find(c) != std::string_view::npos;
+  });
+  if (plain) return path;
+  std::string word = "'";
+  for (const char c : path) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+int Run(Flags flags) {
+  if (flags.output.empty()) flags.output = DefaultOutput(flags);
   const VariantInfo& variant = FindVariant(flags.variant);
   CheckNoFolder("--config", flags.config);
   const Options options = ResolveOptions<Options>(flags.config, flags.set, variant.defaults());
@@ -245,7 +281,7 @@ int Run(const Flags& flags) {
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   CheckNotBelow(InputsOf(flags.sequence.stereo), flags.output);
   CheckPlaceOfRun(flags.output);
-  const Sequence sequence = OpenSequence(flags.sequence.Request(flags.quiet));
+  const Sequence sequence = OpenSequence(WithBoxes(flags.sequence.Request(flags.quiet), flags));
   CheckClasses(classes, sequence.detections);
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
   read.emplace_back(flags.config);
@@ -275,7 +311,10 @@ int Run(const Flags& flags) {
   }
   if (run->status == RunStatus::kFailed) throw Error(run->message);
   PrintSummary(*run, flags.all);
-  std::cout << "\nwritten: " << flags.output << '\n';
+  const std::string word = ShellWord(flags.output);
+  std::cout << "\nwritten: " << flags.output << "\nnext: clustervo plot " << word << " -o "
+            << ShellWord(flags.output + "/camera.svg") << "\n      clustervo overlay " << word
+            << " -o " << ShellWord(flags.output + "/pictures") << '\n';
   RefuseLost(*run);
   return 0;
 }
@@ -288,7 +327,8 @@ Command AddRunCommand(CLI::App& program) {
   const auto flags = std::make_shared<Flags>();
   flags->sequence.AddTo(*app);
   const FlagAdder add{*app};
-  add("-o,--output", flags->output, "FOLDER", "output folder for the results")->required();
+  add("-o,--output", flags->output, "FOLDER",
+      "output folder for the results; default: results/SEQUENCE, or results/SEQUENCE_VARIANT");
   add("--variant", flags->variant, "NAME", "estimator variant (see clustervo list variants)")
       ->check(OneOf(VariantNames()))
       ->capture_default_str();

@@ -8,6 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
+#include "core/files/json/json_record.h"
+#include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/run_plan.h"
@@ -18,20 +20,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Estimates the seconds that one process takes to render, and to run the jobs that are not done.
-double SecondsOf(const BuiltPlan& built, const std::vector<JobStatus>& status) {
-  constexpr double kFrame_s = 1.0 / 35.0;
+// Seconds per frame of the jobs that are done, from their timing.json; empty if it is not known.
+std::optional<double> FrameTime_s(const SuiteFolder& folder, const Plan& plan,
+                                  const std::vector<JobStatus>& status) {
   double seconds = 0.0;
-  for (const Preparation& scene : built.preparations) {
-    seconds += scene.frames * (scene.stage == Stage::kDrawing ? 0.28 : 0.03);
+  int frames = 0;
+  for (std::size_t i = 0; i < status.size(); ++i) {
+    const fs::path timing = folder.job(plan.jobs[i].job) / "timing.json";
+    if (status[i].state != JobStatus::State::kDone || !fs::exists(timing)) continue;
+    seconds += ReadRecord<reports::TimingData>(timing).wall_s;
+    frames += plan.jobs[i].frames;
   }
+  return frames > 0 ? std::optional(seconds / frames) : std::nullopt;
+}
+
+// What is left, from what is done. How long rendering takes is not known.
+std::string TimeLeft(const SuiteFolder& folder, const BuiltPlan& built,
+                     const std::vector<JobStatus>& status, int processes) {
+  int frames = 0;
   for (std::size_t i = 0; i < status.size(); ++i) {
     const bool runs =
         status[i].state == JobStatus::State::kMissing ||
         (status[i].state == JobStatus::State::kFailed && !built.plan.jobs[i].job.empty());
-    if (runs) seconds += built.plan.jobs[i].frames * kFrame_s;
+    if (runs) frames += built.plan.jobs[i].frames;
   }
-  return seconds;
+  if (frames == 0) return "0 s";
+  const std::optional<double> frame_s = FrameTime_s(folder, built.plan, status);
+  if (!frame_s || !built.preparations.empty()) return "not known before scenes and jobs have run";
+  return StrCat(DurationText(frames * *frame_s / processes), " with ",
+                Counted(static_cast<std::size_t>(processes), "process", "processes"));
 }
 
 // Prints what is done in the output folder, what would run, and for how long.
@@ -49,8 +66,7 @@ void PrintPlan(const SuiteRunFlags& flags) {
               << " frames)\n";
   }
   const int processes = flags.engine.jobs > 0 ? flags.engine.jobs : DefaultThreads();
-  std::cout << "estimated time: " << DurationText(SecondsOf(built, status) / processes) << " with "
-            << Counted(static_cast<std::size_t>(processes), "process", "processes") << '\n';
+  std::cout << "estimated time: " << TimeLeft(folder, built, status, processes) << '\n';
 }
 
 // Prints the plan section by section. A suite of several sections is planned only once.
@@ -104,7 +120,11 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       "paper is a collection of suites: each runs in DIR/<suite>, and DIR/index.html shows the "
       "results\nas the paper's tables and figures.\nExit code 0: all jobs succeeded, 1: some "
       "failed or the suite is invalid, 2: wrong usage, 130:\ninterrupted.\n"
-      "Example: clustervo experiment run ablation -o results/ablation");
+      "Examples:\n"
+      "  clustervo experiment run ablation -o results/ablation\n"
+      "  clustervo experiment run --scenes room@1000:1012 --variants full,paper "
+      "--grid pairwise.alpha=0,5,20 \\\n      -o results/alpha   # keeps the suite as suite.json "
+      "there");
   return {app, [flags, dry_run] { return RunExperiment(*flags, *dry_run); }};
 }
 

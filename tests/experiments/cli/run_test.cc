@@ -54,8 +54,10 @@ TEST_F(CliRun, WritesItsFilesAndPrintsTheMetrics) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate "), HasSubstr("8 frames"), HasSubstr("status"),
                              testing::Not(HasSubstr("camera_ate_median")), HasSubstr("--all"),
-                             testing::EndsWith("\nwritten: " + out().string() + "\n")));
-  EXPECT_THAT(run.err, AllOf(HasSubstr("100 %  8/8 frames"), HasSubstr("frames/s")));
+                             HasSubstr(StrCat("\nwritten: ", out().string(),
+                                              "\nnext: clustervo plot ", out().string()))));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("no boxes: bodies are not estimated; --detections "),
+                             HasSubstr("100 %  8/8 frames"), HasSubstr("frames/s")));
   const Json result = ResultOf(out());
   EXPECT_EQ(result["seed"], 7);
   EXPECT_EQ(result["options"]["orb"]["features"], 500);
