@@ -19,9 +19,10 @@ jobs := $(if $(JOBS),--parallel $(JOBS))
 
 # What the two commands are about to do; times are of two idle cores.
 about_test := install missing packages, build everything (10 minutes from nothing), run the tests (6 minutes)
+about_demo := install missing packages, build the program (5 minutes from nothing), render and run one room (20 s)
 about_table := install missing packages, build the program (5 minutes from nothing), render the rooms of \
   the test split and run the ablation on them (9 minutes)
-$(foreach goal,$(filter test table,$(MAKECMDGOALS)),$(info make $(goal): $(about_$(goal))))
+$(foreach goal,$(filter demo test table,$(MAKECMDGOALS)),$(info make $(goal): $(about_$(goal))))
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{printf "%-18s %s\n", $$1, $$2}'

@@ -23,7 +23,6 @@
 #include "core/files/text/utf8.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/run/run.h"
 
 namespace cvo {
 namespace {
@@ -147,13 +146,6 @@ void CheckNames(int argc, char** argv, const CLI::App& program) {
   }
 }
 
-// Whether the input sequence is missing. This is reported before a missing output folder.
-bool LacksSequence(const CLI::App& app) {
-  const CLI::Option* folder = app.get_option_no_throw("SEQUENCE");
-  const CLI::Option* left = app.get_option_no_throw("--left");
-  return folder != nullptr && left != nullptr && folder->count() + left->count() == 0;
-}
-
 // Throws UsageError for an empty output name, which is what shells make of an unset variable.
 void CheckOutputName(const CLI::App& program) {
   const CLI::App* app = &program;
@@ -178,10 +170,7 @@ int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
         extra.starts_with('-') ? " has no flag " + extra : ": unexpected argument " + Quoted(extra);
     return Fail(StrCat(command, problem, " (see ", command, " --help)"), kUsage);
   }
-  const bool required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-  return Fail(StrCat(required && LacksSequence(*app) ? kSequenceMissing : error.what(), " (see ",
-                     CommandName(*app), " --help)"),
-              kUsage);
+  return Fail(StrCat(error.what(), " (see ", CommandName(*app), " --help)"), kUsage);
 }
 
 // A wrong value of a flag is a usage error; anything wrong with a file is bad input.

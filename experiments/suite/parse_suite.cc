@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <numeric>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
+#include "experiments/runner/given.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
@@ -317,13 +317,6 @@ Json ParseValue(const std::string& text) {
   }
 }
 
-std::vector<std::string> Listed(const std::string& text) {
-  std::vector<std::string> parts;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
-  return parts;
-}
-
 // A path that is no option, or that is an axis, becomes an axis with this value alone.
 void Set(const std::string& assignment, Json& suite) {
   const std::size_t equals = assignment.find('=');
@@ -346,8 +339,8 @@ void Set(const std::string& assignment, Json& suite) {
 }  // namespace
 
 Json SweepDefinition(const std::string& name, const SuiteSweep& sweep) {
-  Json json = {{"name", name}, {"variants", Listed(sweep.variants)}};
-  for (const std::string& scene : Listed(sweep.scenes)) {
+  Json json = {{"name", name}, {"variants", AtCommas(sweep.variants)}};
+  for (const std::string& scene : AtCommas(sweep.scenes)) {
     const std::size_t at = scene.find('@');
     Json sequence = {{"detections", "good"},
                      {at == scene.npos ? "scene" : "family", scene.substr(0, at)}};
@@ -360,7 +353,7 @@ Json SweepDefinition(const std::string& name, const SuiteSweep& sweep) {
       ThrowError("--grid " + axis, "no PATH=A,B,...", "such as pairwise.alpha=0,5,20");
     }
     Json& values = json["grid"][axis.substr(0, equals)] = Json::array();
-    for (const std::string& value : Listed(axis.substr(equals + 1))) {
+    for (const std::string& value : AtCommas(axis.substr(equals + 1))) {
       values.push_back(ParseValue(value));
     }
   }

@@ -247,17 +247,11 @@ std::string DefaultOutput(const Flags& flags) {
   return StrCat("results/", name, flags.variant == "full" ? "" : "_" + flags.variant);
 }
 
-// A rendered scene has boxes of its own. Without any, says so before the run.
+// A rendered scene has boxes of its own.
 SequenceRequest WithBoxes(SequenceRequest request, const Flags& flags) {
-  if (!flags.sequence.detections_file.empty()) return request;
   const std::vector<std::string> levels = DetectorLevels(request.folder);
-  if (std::find(levels.begin(), levels.end(), "good") != levels.end()) {
-    request.detections_file = "good";
-  } else if (!flags.quiet) {
-    PrintNotice(
-        "no boxes: bodies are not estimated; --detections FILE reads boxes, "
-        "`clustervo detect` makes them");
-  }
+  const bool has = std::find(levels.begin(), levels.end(), "good") != levels.end();
+  if (has && flags.sequence.detections_file.empty()) request.detections_file = "good";
   return request;
 }
 
@@ -275,7 +269,6 @@ std::string ShellWord(const std::string& path) {
 int Run(Flags flags) {
   if (flags.output.empty()) flags.output = DefaultOutput(flags);
   const VariantInfo& variant = FindVariant(flags.variant);
-  CheckNoFolder("--config", flags.config);
   const Options options = ResolveOptions<Options>(flags.config, flags.set, variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
@@ -301,6 +294,12 @@ int Run(Flags flags) {
                           .landmarks = flags.landmarks,
                           .stop = [&stop] { return stop.Requested(); }};
     if (!flags.force) CheckFormerRun(request, output.path());
+    if (sequence.box_sources.detections.empty() && flags.sequence.detections_file.empty() &&
+        !flags.quiet) {
+      PrintNotice(
+          "no boxes: bodies are not estimated; --detections FILE reads boxes, `clustervo detect` "
+          "makes them");
+    }
     Progress progress(flags.quiet);
     request.progress = [&](std::size_t done) { progress.Report(done, sequence.images.size()); };
     return RunJob(request, output.path());

@@ -148,13 +148,11 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
 }
 
 SequenceRequest SequenceFlags::Request(bool quiet) const {
-  CheckNoFolder("--labels", labels_file);
-  if (detections_file != "labels" && detections_file != "none") {
-    CheckNoFolder("--detections", detections_file);
-  }
   SequenceRequest request = *this;
   if (stereo.left.empty() && stereo.right.empty()) {
-    if (folder.empty()) throw UsageError(kSequenceMissing);
+    if (folder.empty()) {
+      throw UsageError("no sequence: give a folder, or --left, --right and --calib");
+    }
     CheckSequenceFolder(folder);
   } else {
     if (!folder.empty()) {

@@ -8,8 +8,6 @@
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/json/json_record.h"
-#include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/run_plan.h"
@@ -20,38 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Seconds per frame of the jobs that are done, from their timing.json; empty if it is not known.
-std::optional<double> FrameTime_s(const SuiteFolder& folder, const Plan& plan,
-                                  const std::vector<JobStatus>& status) {
-  double seconds = 0.0;
-  int frames = 0;
-  for (std::size_t i = 0; i < status.size(); ++i) {
-    const fs::path timing = folder.job(plan.jobs[i].job) / "timing.json";
-    if (status[i].state != JobStatus::State::kDone || !fs::exists(timing)) continue;
-    seconds += ReadRecord<reports::TimingData>(timing).wall_s;
-    frames += plan.jobs[i].frames;
-  }
-  return frames > 0 ? std::optional(seconds / frames) : std::nullopt;
-}
-
-// What is left, from what is done. How long rendering takes is not known.
-std::string TimeLeft(const SuiteFolder& folder, const BuiltPlan& built,
-                     const std::vector<JobStatus>& status, int processes) {
-  int frames = 0;
-  for (std::size_t i = 0; i < status.size(); ++i) {
-    const bool runs =
-        status[i].state == JobStatus::State::kMissing ||
-        (status[i].state == JobStatus::State::kFailed && !built.plan.jobs[i].job.empty());
-    if (runs) frames += built.plan.jobs[i].frames;
-  }
-  if (frames == 0) return "0 s";
-  const std::optional<double> frame_s = FrameTime_s(folder, built.plan, status);
-  if (!frame_s || !built.preparations.empty()) return "not known before scenes and jobs have run";
-  return StrCat(DurationText(frames * *frame_s / processes), " with ",
-                Counted(static_cast<std::size_t>(processes), "process", "processes"));
-}
-
-// Prints what is done in the output folder, what would run, and for how long.
+// Prints what is done in the output folder, and what would run.
 void PrintPlan(const SuiteRunFlags& flags) {
   const Suite suite = flags.suite.Load();
   const BuiltPlan built = PlanSuite(suite, flags.suite, flags.quiet);
@@ -65,8 +32,6 @@ void PrintPlan(const SuiteRunFlags& flags) {
     std::cout << "scenes to render: " << built.preparations.size() << " (" << frames
               << " frames)\n";
   }
-  const int processes = flags.engine.jobs > 0 ? flags.engine.jobs : DefaultThreads();
-  std::cout << "estimated time: " << TimeLeft(folder, built, status, processes) << '\n';
 }
 
 // Prints the plan section by section. A suite of several sections is planned only once.
@@ -109,7 +74,7 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       ->capture_default_str();
   const auto dry_run = std::make_shared<bool>(false);
   app->add_flag("--dry-run", *dry_run,
-                "only print what is done, what would run, and for how long; nothing is written");
+                "only print what is done and what would run; nothing is written");
   AddQuiet(*app, flags->quiet);
   app->footer(
       "A job is one estimator with one set of options on one sequence with one seed, and runs "

@@ -150,7 +150,6 @@ class SuiteRun {
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(EngineOf(flags.engine, suite_).Make(folder_)) {
-    synth::RemoveLeftoversOfCache(flags.suite.Request().cache);
     if (flags.suite.sweep.scenes.empty()) return;
     WriteFilesAtomically(folder_.root, {{"suite.json", DumpJson(suite_.definition)}});
   }
