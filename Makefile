@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build program report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
+.PHONY: help deps build program demo report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -19,9 +19,10 @@ jobs := $(if $(JOBS),--parallel $(JOBS))
 
 # What the two commands are about to do; times are of two idle cores.
 about_test := install missing packages, build everything (10 minutes from nothing), run the tests (6 minutes)
+about_demo := install missing packages, build the program (5 minutes from nothing), render and run one room (20 s)
 about_table := install missing packages, build the program (5 minutes from nothing), render the rooms of \
   the test split and run the ablation on them (9 minutes)
-$(foreach goal,$(filter test table,$(MAKECMDGOALS)),$(info make $(goal): $(about_$(goal))))
+$(foreach goal,$(filter demo test table,$(MAKECMDGOALS)),$(info make $(goal): $(about_$(goal))))
 
 help: ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1|\2/p' Makefile | awk -F'|' '{printf "%-18s %s\n", $$1, $$2}'
@@ -47,9 +48,10 @@ build/%/CTestTestfile.cmake: | build/%/build.ninja
 build: deps $(release)/CTestTestfile.cmake ## build everything, Release
 	cmake --build --preset release $(jobs)
 
-# The program alone, without tests and benchmarks.
+# The program, and the Python package where its packages are; no tests and benchmarks.
 program: $(release)/build.ninja
-	cmake --build --preset release --target clustervo $(jobs)
+	cmake --build --preset release $(jobs) --target clustervo \
+	  $$(grep -qs '^build cvo_python:' $(release)/build.ninja && echo cvo_python)
 
 # A suite to results/<suite>: what is done there is not done again. Its table is printed also where
 # some jobs failed, which the exit code then says.
@@ -57,6 +59,11 @@ suite = $(release)/bin/clustervo experiment run $(1) -o results/$(1) $(addprefix
 	$(if $(DATA),--data "$(DATA)"); code=$$?; test $$code -le 1 || exit $$code; \
 	$(release)/bin/clustervo experiment table results/$(1) && \
 	echo "page: results/$(1)/report/index.html, written by: make report SUITE=$(1)" && exit $$code
+
+demo: program ## render one room, run two variants on it, draw a picture and write a page
+	@$(call suite,demo)
+	@$(release)/bin/clustervo report results/demo
+	@$(release)/bin/clustervo overlay --suite results/demo --sequence room_3 --frame 40 -o results/demo/pictures -q
 
 table: program ## the paper's ablation on rooms of the test split, end to end: its table, and results/ablation
 	@$(call suite,ablation)

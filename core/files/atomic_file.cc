@@ -232,14 +232,6 @@ void RemoveLeftovers(const fs::path& folder) {
 
 void RemoveTemporaries(const fs::path& folder) { RemoveWhere(folder, IsTemporary); }
 
-void RemoveEmptyFolders(const fs::path& folder) {
-  RemoveWhere(folder, [](const fs::path& path) {
-    std::error_code error;
-    return fs::symlink_status(path, error).type() == fs::file_type::directory && IsOld(path) &&
-           fs::is_empty(path, error);
-  });
-}
-
 std::string HostName() {
   std::array<char, 256> name{};
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";

@@ -67,10 +67,6 @@ void RemoveLeftovers(const std::filesystem::path& folder);
 // Removes all temporaries in a folder. Only for a caller with exclusive write access to the folder.
 void RemoveTemporaries(const std::filesystem::path& folder);
 
-// Removes empty subfolders that have not been modified for a day, such as those of killed tasks.
-// Never throws.
-void RemoveEmptyFolders(const std::filesystem::path& folder);
-
 // Name of this machine; "unknown" if it cannot be determined.
 std::string HostName();
 

@@ -66,11 +66,6 @@ std::string VersionText() {
                 build.libraries.eigen, "\nCPU level  ", build.cpu_level);
 }
 
-void CheckNoFolder(const char* flag, const std::filesystem::path& file) {
-  if (!std::filesystem::is_directory(file)) return;
-  throw UsageError(StrCat(flag, ": found the folder ", file.string(), ", expected a file"));
-}
-
 void AddQuiet(CLI::App& app, bool& quiet) {
   app.add_flag("-q,--quiet", quiet, "do not print progress to stderr");
 }
@@ -180,23 +175,26 @@ std::function<void(std::size_t, std::size_t)> Progress::Reporter() {
   return [this](std::size_t done, std::size_t total) { Report(done, total); };
 }
 
+namespace {
+
+// "48 s", "3:07 min".
+std::string DurationText(double seconds) {
+  const long whole = std::lround(std::ceil(seconds));
+  if (whole < 60) return StrCat(whole, " s");
+  return StrCat(whole / 60, whole % 60 < 10 ? ":0" : ":", whole % 60, " min");
+}
+
+}  // namespace
+
 std::string Progress::Text(std::size_t done, std::size_t total) const {
   const std::string counts = StrCat(done, "/", total, " ", unit_);
-  if (done == 0) return counts;
+  if (done == 0) return counts + "  time left not known yet";
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count();
   const double rate = static_cast<double>(done) / std::max(elapsed_s, 1e-9);
   const bool slow = rate < 1.0;
   return StrCat(counts, "  ", FormatFixed(slow ? 60.0 * rate : rate, 1), " ", unit_,
                 slow ? "/min  " : "/s  ", DurationText(static_cast<double>(total - done) / rate),
                 " left");
-}
-
-std::string DurationText(double seconds) {
-  const long whole = std::lround(std::ceil(seconds));
-  if (whole < 60) return StrCat(whole, " s");
-  const bool hours = whole >= 6000;
-  const long units = hours ? whole / 60 : whole;
-  return StrCat(units / 60, units % 60 < 10 ? ":0" : ":", units % 60, hours ? " h" : " min");
 }
 
 void PrintNotice(const std::string& line) {

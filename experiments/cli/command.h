@@ -95,9 +95,6 @@ Command AddEvalBoxesCommand(CLI::App& eval);
 Command AddExperimentTableCommand(CLI::App& experiment);
 Command AddExperimentCompareCommand(CLI::App& experiment);
 
-// Throws UsageError if a folder was given to a flag that takes a file.
-void CheckNoFolder(const char* flag, const std::filesystem::path& file);
-
 // Add -q, and --threads with the number of CPUs as its default. Every long command has them.
 void AddQuiet(CLI::App& app, bool& quiet);
 void AddThreads(CLI::App& app, int& threads);
@@ -138,9 +135,6 @@ std::string ReadableNumber(double value);
 
 // "1 frame/s", "12.5 frames/s".
 std::string FrameRateText(double frames_per_s);
-
-// "48 s", "3:07 min", "2:05 h".
-std::string DurationText(double seconds);
 
 // Shows progress on stderr, with the rate and the time left: on a terminal in one line that is
 // rewritten, otherwise in a line after every tenth of the work.

@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <mutex>
 #include <new>
 #include <opencv2/core/utility.hpp>
@@ -23,7 +23,6 @@
 #include "core/files/text/utf8.h"
 #include "core/files/text_file.h"
 #include "experiments/cli/command.h"
-#include "experiments/cli/run/run.h"
 
 namespace cvo {
 namespace {
@@ -110,27 +109,6 @@ std::string CommandName(const CLI::App& app) {
   return above == nullptr ? app.get_name() : CommandName(*above) + " " + app.get_name();
 }
 
-// Spellings of version 0.2, and what took their place.
-std::string PresentName(const std::string& command, const std::string& word) {
-  static const std::map<std::string, std::string> kPresent = {
-      {"clustervo variants", "list variants"},
-      {"clustervo options", "list options"},
-      {"clustervo eval --estimate", "eval trajectory or eval boxes"},
-      {"clustervo synth list", "list scenes"},
-      {"clustervo synth generate", "synth render FAMILY@SEED"},
-      {"clustervo experiment list", "list suites"},
-      {"clustervo experiment plan", "experiment run SUITE -o DIR --dry-run"},
-      {"clustervo experiment status",
-       "experiment table DIR, or experiment run SUITE -o DIR --dry-run"},
-      {"clustervo synth preview", "synth render SCENE -o FILE --preview"},
-      {"clustervo import", "info --left L --right R --calib C -o FOLDER"},
-      {"clustervo experiment times", "experiment table --times"},
-      {"clustervo compare", "experiment compare"},
-      {"clustervo figures", "plot DIR"}};
-  const auto found = kPresent.find(command + " " + word);
-  return found == kPresent.end() ? "" : ", now clustervo " + found->second;
-}
-
 // Throws UsageError for a word that is no subcommand where one must be, and for a flag that the
 // command does not have, with what was probably meant. The parser would only call them unexpected.
 void CheckNames(int argc, char** argv, const CLI::App& program) {
@@ -159,21 +137,13 @@ void CheckNames(int argc, char** argv, const CLI::App& program) {
     const std::string name = is_flag ? word.substr(0, word.find('=')) : word;
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string command = CommandName(*app);
-    const std::string present = PresentName(command, name);
-    const std::string meant = present.empty() ? DidYouMean(name, names) : present;
+    const std::string meant = DidYouMean(name, names);
     if (is_flag && meant.empty()) continue;  // the value of a flag, or left to ExplainUsage
     throw UsageError(StrCat(command,
                             is_flag ? " has no flag " + name : " has no subcommand " + Quoted(name),
                             meant.empty() ? ", expected " + OneOfKnown(name, names) : meant,
                             " (see ", command, " --help)"));
   }
-}
-
-// Whether the input sequence is missing. This is reported before a missing output folder.
-bool LacksSequence(const CLI::App& app) {
-  const CLI::Option* folder = app.get_option_no_throw("SEQUENCE");
-  const CLI::Option* left = app.get_option_no_throw("--left");
-  return folder != nullptr && left != nullptr && folder->count() + left->count() == 0;
 }
 
 // Throws UsageError for an empty output name, which is what shells make of an unset variable.
@@ -200,10 +170,7 @@ int ExplainUsage(const CLI::App& program, const CLI::ParseError& error) {
         extra.starts_with('-') ? " has no flag " + extra : ": unexpected argument " + Quoted(extra);
     return Fail(StrCat(command, problem, " (see ", command, " --help)"), kUsage);
   }
-  const bool required = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-  return Fail(StrCat(required && LacksSequence(*app) ? kSequenceMissing : error.what(), " (see ",
-                     CommandName(*app), " --help)"),
-              kUsage);
+  return Fail(StrCat(error.what(), " (see ", CommandName(*app), " --help)"), kUsage);
 }
 
 // A wrong value of a flag is a usage error; anything wrong with a file is bad input.
@@ -263,6 +230,7 @@ int main(int argc, char** argv) {
   const cvo::CleanOutput err(std::cerr);
   try {
     cvo::ReplaceClosedStreams();
+    std::signal(SIGXFSZ, SIG_IGN);  // a write beyond `ulimit -f` fails instead
     return cvo::CheckPrinted(cvo::Main(argc, argv));
   } catch (const cvo::UsageError& error) {
     return cvo::Fail(error.what(), cvo::kUsage);

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "experiments/cli/command.h"
+#include "experiments/runner/run_files.h"
 
 namespace cvo {
 namespace {
@@ -103,6 +104,11 @@ OutputFolder CheckOutputFile(const fs::path& file, const std::vector<fs::path>& 
   RefuseBelowSequence(file, FolderOf(file));
   RefuseRunsOfSuite(file, FolderOf(file));
   RefuseInput(file, read, false);
+  const std::vector<std::string> of_runs = RunFileNames();
+  if (std::find(of_runs.begin(), of_runs.end(), file.filename()) != of_runs.end() &&
+      Exists(FolderOf(file) / "result.json")) {
+    Refuse(file, "a file of a run", "another name");
+  }
   return {FolderOf(file), {file.filename().string()}};
 }
 

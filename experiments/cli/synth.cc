@@ -143,7 +143,6 @@ constexpr int kDisagreement = 1;
 
 struct SceneCheckFlags {
   std::string folder;
-  std::string json;
   int threads = 1;
 };
 
@@ -162,12 +161,8 @@ void Print(const SceneCheckReport& report) {
 }
 
 int Check(const SceneCheckFlags& flags) {
-  if (!flags.json.empty()) CheckOutputFile(flags.json, {flags.folder});
   const SceneCheckReport report = CheckScene(flags.folder, flags.threads);
   Print(report);
-  if (!flags.json.empty()) {
-    WriteOutputFile(flags.json, DumpJson(SceneCheckJson(report)), {flags.folder});
-  }
   return report.Passed() ? 0 : kDisagreement;
 }
 
@@ -177,12 +172,11 @@ Command AddSceneCheckCommand(CLI::App& synth) {
   const FlagAdder add{*app};
   const auto flags = std::make_shared<SceneCheckFlags>();
   add("DIR", flags->folder, "", "folder of a rendered sequence")->required();
-  add("--json", flags->json, "FILE", "also write the results to this file");
   AddThreads(*app, flags->threads);
   app->footer(
       "Only the folder's files are read. Text files and masks of all frames are checked, and "
       "the\nimages of at most 40 frames. Exit code 1 if a value exceeds its limit.\n"
-      "Example: clustervo synth check indoor_1 --json check.json");
+      "Example: clustervo synth check indoor_1");
   return {app, [flags] { return Check(*flags); }};
 }
 
@@ -191,10 +185,6 @@ Command AddSceneCheckCommand(CLI::App& synth) {
 Command AddSynthCommand(CLI::App& program) {
   CLI::App* app = program.add_subcommand(
       "synth", "Render and check synthetic stereo sequences with exact ground truth");
-  app->footer(
-      "Start with: clustervo synth render indoor_1 -o indoor_1, then clustervo synth check "
-      "indoor_1\n"
-      "and clustervo run indoor_1 -o results/indoor_1.");
   return Group(*app, {AddRenderCommand(*app), AddSceneCheckCommand(*app)});
 }
 

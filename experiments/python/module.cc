@@ -19,7 +19,6 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
-// uint8, row-major: other types are rejected, other layouts are copied.
 using GreyArray = py::array_t<std::uint8_t, py::array::c_style>;
 
 // A row per landmark with the columns of landmarks.csv that are known in a frame; cluster 0 is the
@@ -39,6 +38,12 @@ struct PoseRow {
 void CopyMatrix(const RigidTransform& pose, double* to) {
   const Eigen::Matrix4d transposed = pose.Matrix().transpose();
   std::copy(transposed.data(), transposed.data() + transposed.size(), to);
+}
+
+// Returns the array row by row, without copying where it is. Throws Error unless it is of uint8.
+GreyArray GreyArrayOf(const char* name, const py::array& array) {
+  if (py::isinstance<py::array_t<std::uint8_t>>(array)) return array;
+  ThrowError(StrCat(name, " image"), std::string(py::str(array.dtype())), "uint8");
 }
 
 // Wraps the pixels of the array without copying them. Throws Error unless it has two dimensions.
@@ -151,10 +156,12 @@ std::unique_ptr<StereoOdometry> MakeOdometry(const StereoCamera& camera, const s
   return std::make_unique<StereoOdometry>(setup);
 }
 
-Frame Process(StereoOdometry& odometry, const GreyArray& left, const GreyArray& right,
+Frame Process(StereoOdometry& odometry, const py::array& left, const py::array& right,
               std::int64_t timestamp_ns, const std::vector<Detection>& boxes) {
-  const cv::Mat left_image = GreyImage("left", left);
-  const cv::Mat right_image = GreyImage("right", right);
+  const GreyArray of_left = GreyArrayOf("left", left);
+  const GreyArray of_right = GreyArrayOf("right", right);
+  const cv::Mat left_image = GreyImage("left", of_left);
+  const cv::Mat right_image = GreyImage("right", of_right);
   FrameReport report;
   {
     const py::gil_scoped_release release;

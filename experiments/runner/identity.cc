@@ -182,26 +182,14 @@ std::string HashFile(const fs::path& file) {
 
 }  // namespace
 
-std::vector<std::string> HashFiles(const std::vector<fs::path>& files) {
-  std::vector<std::string> hashes(files.size());
-  TaskPool(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())))
-      .ParallelFor(static_cast<int>(files.size()), [&](int i) {
-        hashes[static_cast<std::size_t>(i)] = HashFile(files[static_cast<std::size_t>(i)]);
-      });
-  return hashes;
-}
-
 std::vector<ImageHashes> HashImages(const Sequence& sequence) {
-  std::vector<fs::path> files;
-  for (const StereoPaths& pair : sequence.images) {
-    files.push_back(pair.left);
-    files.push_back(pair.right);
-  }
-  std::vector<std::string> hashes = HashFiles(files);
-  std::vector<ImageHashes> images;
-  for (std::size_t i = 0; i < hashes.size(); i += 2) {
-    images.push_back({std::move(hashes[i]), std::move(hashes[i + 1])});
-  }
+  std::vector<ImageHashes> images(sequence.images.size());
+  TaskPool(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())))
+      .ParallelFor(static_cast<int>(images.size()), [&](int i) {
+        const auto frame = static_cast<std::size_t>(i);
+        images[frame] = {HashFile(sequence.images[frame].left),
+                         HashFile(sequence.images[frame].right)};
+      });
   return images;
 }
 

@@ -73,10 +73,8 @@ void MarkUsed(const std::filesystem::path& file);
 // count. Files that cannot be removed stay.
 void TrimFolder(const std::filesystem::path& folder, std::uint64_t limit_bytes);
 
-// Returns the SHA-256 of each file; empty if there is no such regular file. Throws Error for a file
-// that cannot be read, as a plan made with another hash would be for another job.
-std::vector<std::string> HashFiles(const std::vector<std::filesystem::path>& files);
-// Returns the hashes of a sequence's images, for ContentHash.
+// Returns the hashes of a sequence's images, for ContentHash. Throws Error for a file that cannot
+// be read, as a plan made with another hash would be for another job.
 std::vector<ImageHashes> HashImages(const Sequence& sequence);
 
 }  // namespace cvo

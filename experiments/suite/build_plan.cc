@@ -144,7 +144,7 @@ class Planner {
     input.sequence = Opened(job, input);
     input.frames = static_cast<int>(input.sequence.images.size());
     if (SequenceOf(job).scene.empty()) RequireAsRendered(input.sequence);
-    input.content = ContentHash(input.sequence, HashImages(input.sequence));
+    input.content = ContentHash(input.sequence, RenderedHashes(input.sequence));
     input.detections = DetectionsHash(input.sequence);
   }
 

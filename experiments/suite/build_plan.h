@@ -88,6 +88,9 @@ std::optional<std::string> FindSceneDamage(const std::filesystem::path& folder,
 // one that was rendered.
 void RequireAsRendered(const Sequence& sequence);
 
+// HashImages of a sequence that is as rendered (RequireAsRendered), without reading it again.
+std::vector<ImageHashes> RenderedHashes(const Sequence& sequence);
+
 // Returns the first file of boxes or labels that does not exist below `data`, as
 // written in the suite; empty if all exist.
 std::string FindMissingFile(const SuiteSequence& sequence, const std::filesystem::path& data);

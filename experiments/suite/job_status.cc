@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <fstream>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
@@ -32,19 +34,29 @@ std::string Holder(int fd) {
   return holder.empty() ? "another process" : holder.substr(0, holder.find('\n'));
 }
 
+// Whether the path still leads to this open file, which its last holder may have removed.
+bool IsAt(const fs::path& file, int fd) {
+  struct stat opened {};
+  struct stat found {};
+  return ::fstat(fd, &opened) == 0 && ::stat(file.c_str(), &found) == 0 &&
+         opened.st_dev == found.st_dev && opened.st_ino == found.st_ino;
+}
+
 }  // namespace
 
-FolderLock::FolderLock(const fs::path& file)
-    : fd_(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-  if (fd_ < 0) ThrowErrno(file, "write", errno);
-  if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
+FolderLock::FolderLock(fs::path file) : file_(std::move(file)) {
+  do {
+    ::close(fd_);
+    fd_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (fd_ < 0) ThrowErrno(file_, "write", errno);
+    if (::flock(fd_, LOCK_EX | LOCK_NB) == 0) continue;
     const int error = errno;
     const std::string holder = Holder(fd_);
     ::close(fd_);
-    if (error != EWOULDBLOCK) ThrowErrno(file, "lock", error);
-    ThrowError(file.parent_path().string(), StrCat("in use by ", holder),
+    if (error != EWOULDBLOCK) ThrowErrno(file_, "lock", error);
+    ThrowError(file_.parent_path().string(), StrCat("in use by ", holder),
                "a folder not in use by another run");
-  }
+  } while (!IsAt(file_, fd_));
   // Used only in the message above, so a full disk is no reason to fail.
   const std::string me = StrCat("process ", ::getpid(), " on ", HostName(), '\n');
   if (::ftruncate(fd_, 0) == 0) {
@@ -52,7 +64,10 @@ FolderLock::FolderLock(const fs::path& file)
   }
 }
 
-FolderLock::~FolderLock() { ::close(fd_); }
+FolderLock::~FolderLock() {
+  ::unlink(file_.c_str());
+  ::close(fd_);
+}
 
 namespace {
 

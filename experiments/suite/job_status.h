@@ -28,19 +28,20 @@ struct SuiteFolder {
   std::filesystem::path lock() const { return root / "lock"; }
 };
 
-// The exclusive right to write to a suite's folder, held while this object exists and the process
-// lives. Others may read meanwhile.
+// The exclusive right to write to the folder of a run or suite, held while this object exists and
+// the process lives. Others may read meanwhile. The file is removed with the lock.
 class FolderLock {
  public:
   // Throws Error saying which process on which host holds the lock, or why the file cannot be
   // created.
-  explicit FolderLock(const std::filesystem::path& file);
+  explicit FolderLock(std::filesystem::path file);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
  private:
-  int fd_;
+  std::filesystem::path file_;
+  int fd_ = -1;
 };
 
 struct JobStatus {

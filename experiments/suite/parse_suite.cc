@@ -7,6 +7,7 @@
 #include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
+#include "experiments/runner/given.h"
 #include "experiments/suite/collection.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
@@ -167,6 +168,7 @@ SuiteSystem ReadSystem(ObjectReader object, const std::vector<SuiteSequence>& se
 }
 
 std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
+  if (!object.Has("seeds")) return {1};
   const Json& value = object.Value("seeds");
   std::vector<std::uint64_t> seeds;
   if (!value.is_array()) {
@@ -210,10 +212,22 @@ std::vector<std::vector<std::string>> ReadOracles(ObjectReader& object) {
   return oracles;
 }
 
-SuiteTable ReadTable(ObjectReader table) {
-  SuiteTable read;
+// The table of a suite that does not state one.
+SuiteTable StandardTable(const Suite& suite) {
+  SuiteTable table;
+  for (const GridAxis& axis : suite.grid) {
+    if (axis.values.size() > 1) table.rows.push_back(axis.path);
+  }
+  table.metrics = {"camera_ate",      "object_ate",         "object_success_10cm",
+                   "object_coverage", "object_id_switches", "moving_precision"};
+  if (suite.variants.size() > 1) table.reference = suite.variants.front();
+  return table;
+}
+
+SuiteTable ReadTable(ObjectReader table, const SuiteTable& standard) {
+  SuiteTable read = standard;
   if (table.Has("rows")) read.rows = ReadTextsOf(table, "rows");
-  read.metrics = ReadTexts(table.Value("metrics"), table.Where("metrics"));
+  if (table.Has("metrics")) read.metrics = ReadTextsOf(table, "metrics");
   read.reference = table.TextOr("reference", "");
   table.Finish();
   return read;
@@ -255,7 +269,8 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   }
   suite.timed_threads = object.IntegerOr("timed_threads", {1, kMaxTimedThreads}, 0);
   suite.landmarks = object.BoolOr("landmarks", false);
-  suite.table = ReadTable(object.Object("table"));
+  suite.table = StandardTable(suite);
+  if (object.Has("table")) suite.table = ReadTable(object.Object("table"), suite.table);
   object.Finish();
   return suite;
 }
@@ -322,6 +337,28 @@ void Set(const std::string& assignment, Json& suite) {
 }
 
 }  // namespace
+
+Json SweepDefinition(const std::string& name, const SuiteSweep& sweep) {
+  Json json = {{"name", name}, {"variants", AtCommas(sweep.variants)}};
+  for (const std::string& scene : AtCommas(sweep.scenes)) {
+    const std::size_t at = scene.find('@');
+    Json sequence = {{"detections", "good"},
+                     {at == scene.npos ? "scene" : "family", scene.substr(0, at)}};
+    if (at != scene.npos) sequence["seeds"] = scene.substr(at + 1);
+    json["sequences"].push_back(sequence);
+  }
+  for (const std::string& axis : sweep.grid) {
+    const std::size_t equals = axis.find('=');
+    if (equals == 0 || equals == axis.npos) {
+      ThrowError("--grid " + axis, "no PATH=A,B,...", "such as pairwise.alpha=0,5,20");
+    }
+    Json& values = json["grid"][axis.substr(0, equals)] = Json::array();
+    for (const std::string& value : AtCommas(axis.substr(equals + 1))) {
+      values.push_back(ParseValue(value));
+    }
+  }
+  return json;
+}
 
 Suite Override(const Suite& suite, const SuiteOverrides& overrides) {
   Json json = suite.definition;

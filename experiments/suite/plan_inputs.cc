@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <map>
+#include <thread>
 
 #include "core/base/error.h"
+#include "core/base/task_pool.h"
 #include "core/files/json/json.h"
 #include "core/files/sha256.h"
 #include "core/files/text/closest_names.h"
@@ -124,17 +128,10 @@ Preparation SceneFolders::Find(const SuiteSequence& sequence, const GridPoint& p
 }
 
 std::optional<std::string> FindSceneDamage(const fs::path& folder, const FrameRange& frames) try {
-  std::vector<synth::FileRecord> records = synth::ReadManifest(folder).files;
-  std::erase_if(records, [&](const auto& record) { return !IsOf(frames, record.name); });
-  std::vector<fs::path> files;
-  for (const synth::FileRecord& record : records) files.push_back(folder / record.name);
-  const std::vector<std::string> found = HashFiles(files);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    if (found[i] == records[i].sha256) continue;
-    return files[i].string() +
-           (found[i].empty() ? " cannot be read" : " has changed since it was written");
-  }
-  return std::nullopt;
+  synth::Manifest manifest = synth::ReadManifest(folder);
+  std::erase_if(manifest.files, [&](const auto& record) { return !IsOf(frames, record.name); });
+  TaskPool pool(static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
+  return synth::FindDamage(folder, manifest, pool);
 } catch (const Error& error) {
   return error.what();
 }
@@ -148,6 +145,20 @@ void RequireAsRendered(const Sequence& sequence) {
   if (!damage) return;
   throw Error(StrCat(*damage, "; expected the files that ", synth::kManifestName,
                      " lists: render the scene again, or remove that file to use other files"));
+}
+
+std::vector<ImageHashes> RenderedHashes(const Sequence& sequence) {
+  std::error_code ignored;
+  if (!fs::exists(sequence.folder / synth::kManifestName, ignored)) return HashImages(sequence);
+  std::map<fs::path, std::string> known;
+  for (const synth::FileRecord& file : synth::ReadManifest(sequence.folder).files) {
+    known[sequence.folder / file.name] = file.sha256;
+  }
+  std::vector<ImageHashes> images;
+  for (const StereoPaths& pair : sequence.images) {
+    images.push_back({known[pair.left], known[pair.right]});
+  }
+  return images;
 }
 
 std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data) {

@@ -78,7 +78,7 @@ void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
                      .classes = ClassesOf(plan.suite.sequences[job.entry]),
                      .oracle = OracleOf(job.oracle),
                      .landmarks = job.landmarks};
-  request.images = HashImages(sequence);
+  request.images = RenderedHashes(sequence);
   // A timed job extracts its features itself, so that they count in its time.
   if (plan.suite.timed_threads == 0) request.cache = &cache;
   folder.CheckIdentity(IdentifyJob(request), sequence);
@@ -93,7 +93,7 @@ void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
 void RunSystem(const Plan& plan, const PlanJob& job, const Sequence& sequence,
                const fs::path& cache, const JobFolder& folder) {
   const SystemRequest request{.sequence = sequence,
-                              .content = ContentHash(sequence, HashImages(sequence)),
+                              .content = ContentHash(sequence, RenderedHashes(sequence)),
                               .files = SystemFilesOf(plan.suite, job, plan.data, cache),
                               .seed = job.seed};
   folder.CheckIdentity(IdentifySystem(request), sequence);
@@ -248,7 +248,6 @@ PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
   if (pending.first.empty()) return CountJobs(status);
   for (const char* name : {"jobs", "failed", "logs"}) MakeFolder(run.folder.root / name);
   RemoveTemporaries(run.folder.root / "failed");
-  RemoveEmptyFolders(run.folder.root / "jobs");
   JobRunner runner(run, engine, pending.first.size() + pending.rest.size());
   runner.Run(pending.first);
   runner.Run(pending.rest);

@@ -115,6 +115,16 @@ struct SuiteOverrides {
 };
 Suite Override(const Suite& suite, const SuiteOverrides& overrides);
 
+// A suite given by flags: scenes and families such as "indoor_1,room@1000:1012", with their good
+// detections; variants such as "full,paper"; axes such as "pairwise.alpha=0,5,20".
+struct SuiteSweep {
+  std::string scenes;
+  std::string variants = "full";
+  std::vector<std::string> grid = {};
+};
+// Returns it as a suite file would define it.
+Json SweepDefinition(const std::string& name, const SuiteSweep& sweep);
+
 // Returns a list of texts. Throws Error naming `where` for anything else.
 std::vector<std::string> ReadTexts(const Json& value, const std::string& where);
 

@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <mutex>
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
@@ -36,10 +35,6 @@ std::optional<std::string> FileDamage(const std::filesystem::path& path, const F
     return path.string() + " has changed since it was written";
   }
   return std::nullopt;
-}
-
-[[noreturn]] void ThrowErrno(const fs::path& path, const char* action, int error) {
-  throw Error(StrCat(path.string(), ": cannot ", action, ": ", std::strerror(error)));
 }
 
 void CreateFolders(const fs::path& path) {
@@ -98,14 +93,11 @@ Manifest ReadManifest(const std::filesystem::path& folder) {
 }
 
 std::optional<std::string> FindDamage(const std::filesystem::path& folder, const Manifest& manifest,
-                                      TaskPool& pool, const std::function<void()>& done) {
+                                      TaskPool& pool) {
   std::vector<std::optional<std::string>> damages(manifest.files.size());
-  std::mutex mutex;
   pool.ParallelFor(static_cast<int>(damages.size()), [&](int i) {
     const FileRecord& file = manifest.files[static_cast<std::size_t>(i)];
     damages[static_cast<std::size_t>(i)] = FileDamage(folder / file.name, file);
-    const std::lock_guard lock(mutex);
-    if (done) done();
   });
   for (const auto& damage : damages) {
     if (damage) return damage;
@@ -193,30 +185,15 @@ fs::path CacheFolder() {
 
 fs::path ScenesFolder(const fs::path& cache) { return cache / "scenes"; }
 
-void RemoveLeftoversOfCache(const fs::path& cache) {
-  RemoveLeftovers(cache);
-  RemoveEmptyFolders(ScenesFolder(cache));
-  for (const fs::path& folder : {cache, ScenesFolder(cache)}) {
-    std::error_code error;
-    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
-      RemoveLeftovers(it->path());
-    }
-  }
-}
-
 std::optional<CachedRender> FindCachedRender(const fs::path& cache, const std::string& key,
                                              TaskPool& pool, const WorkHooks& hooks) {
-  RemoveLeftoversOfCache(cache);
   const fs::path folder = cache / key;
   std::error_code ignored;
   if (!fs::exists(folder, ignored)) return std::nullopt;
   std::optional<std::string> damage;
   try {
     CachedRender entry = {folder, ReadManifest(folder)};
-    const auto total = static_cast<int>(entry.manifest.files.size());
-    int checked = 0;
-    damage = FindDamage(folder, entry.manifest, pool,
-                        [&] { hooks.Report(++checked, total, "verify the cached render"); });
+    damage = FindDamage(folder, entry.manifest, pool);
     if (!damage) return entry;
   } catch (const Error& error) {
     damage = error.what();

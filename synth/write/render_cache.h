@@ -83,10 +83,9 @@ Manifest ReadManifest(const std::filesystem::path& folder);
 std::string FormatManifest(const Manifest& manifest);
 
 // Compares the files of a folder with its manifest. Describes the first file, by name, that is
-// missing or differs in size or content; empty if all match. `done` is called after each file,
-// never concurrently.
+// missing or differs in size or content; empty if all match.
 std::optional<std::string> FindDamage(const std::filesystem::path& folder, const Manifest& manifest,
-                                      TaskPool& pool, const std::function<void()>& done = {});
+                                      TaskPool& pool);
 
 enum class Existing { kKeep, kReplace };
 
@@ -149,9 +148,6 @@ struct WorkHooks {
 std::filesystem::path CacheFolder();
 // Folder of the rendered sequences of suites: <name>-<key>/<name>.
 std::filesystem::path ScenesFolder(const std::filesystem::path& cache);
-
-// Removes what killed processes left anywhere in the cache (core/files/temporary.h).
-void RemoveLeftoversOfCache(const std::filesystem::path& cache);
 
 // A cache entry: a complete sequence without the files that depend on a seed.
 struct CachedRender {

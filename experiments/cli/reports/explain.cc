@@ -87,11 +87,14 @@ ExplainedRun ReadExplained(const ExplainFlags& flags) {
   return read;
 }
 
+// A number is that of a track of the labels: "1", "track1" and "track 1" are the same body.
 const reports::BodyDetail& FindBodyNamed(const std::string& name,
                                          const std::vector<reports::BodyDetail>& bodies) {
   std::vector<std::string> names;
   for (const reports::BodyDetail& body : bodies) {
-    if (body.name == name || StrCat(body.id) == name) return body;
+    std::string joined = body.name;
+    std::erase(joined, ' ');
+    if (body.name == name || joined == name || joined == "track" + name) return body;
     names.push_back(body.name);
   }
   ThrowError("BODY", Quoted(name) + DidYouMean(name, names), "one of " + Joined(names, ", "));
@@ -147,7 +150,8 @@ Command AddExplainCommand(CLI::App& program) {
   const auto flags = std::make_shared<ExplainFlags>();
   const FlagAdder add{*app};
   add("RUN", flags->run, "", "output folder of clustervo run --landmarks")->required();
-  add("BODY", flags->body, "", "name or number of a ground-truth body; default: list all bodies");
+  add("BODY", flags->body, "",
+      "name of a ground-truth body, or number of its track; default: list all bodies");
   add("--sequence", flags->sequence, "FOLDER", "folder of the images, if they have moved since");
   app->footer(
       "Stages: detection missing, no landmarks, label wrong, merged into another body, not "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -23,6 +24,7 @@
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/suite/build_plan.h"
+#include "experiments/suite/job_status.h"
 #include "synth/write/render_cache.h"
 #include "variants/registry.h"
 
@@ -196,14 +198,15 @@ void PrintProblems(const RunResult& run) {
   }
 }
 
-// Prints by how much u_right is too large, as a mean over the image.
+// Prints by how much u_right is too large, as a mean over the image, unless it may be zero.
 void PrintCalibration(const RunResult& run) {
   const std::optional<CalibrationReport> calibration = LastCalibration(run);
   if (!calibration) return;
   const double shift_px = run.sequence.camera.right_shift_px + calibration->right_field_px[0];
+  const double deviation_px = std::sqrt(calibration->Covariance_px2()(0, 0));
+  if (std::abs(shift_px) < 2.0 * deviation_px) return;
   std::cout << "self-calibration: u_right is too large by " << ReadableNumber(shift_px) << " +- "
-            << ReadableNumber(std::sqrt(calibration->Covariance_px2()(0, 0)))
-            << " px (mean over the image)\n";
+            << ReadableNumber(deviation_px) << " px (mean over the image)\n";
 }
 
 void PrintSummary(const RunResult& run, bool all) {
@@ -236,19 +239,47 @@ void RefuseLost(const RunResult& run) {
   throw Error(run.message + (pair && !pair->problem.empty() ? ": " + pair->problem : ""));
 }
 
-int Run(const Flags& flags) {
+// The folder of the results if none is given.
+std::string DefaultOutput(const Flags& flags) {
+  const StereoImport& stereo = flags.sequence.stereo;
+  const fs::path input = stereo.left.empty() ? flags.sequence.folder : stereo.left.parent_path();
+  const std::string name = NormalFolder(fs::absolute(input)).filename().string();
+  return StrCat("results/", name, flags.variant == "full" ? "" : "_" + flags.variant);
+}
+
+// A rendered scene has boxes of its own.
+SequenceRequest WithBoxes(SequenceRequest request, const Flags& flags) {
+  const std::vector<std::string> levels = DetectorLevels(request.folder);
+  const bool has = std::find(levels.begin(), levels.end(), "good") != levels.end();
+  if (has && flags.sequence.detections_file.empty()) request.detections_file = "good";
+  return request;
+}
+
+// The path as a word of a command line.
+std::string ShellWord(const std::string& path) {
+  const bool plain = std::all_of(path.begin(), path.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("/._-+=@:,").find(c) != std::string_view::npos;
+  });
+  if (plain) return path;
+  std::string word = "'";
+  for (const char c : path) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+int Run(Flags flags) {
+  if (flags.output.empty()) flags.output = DefaultOutput(flags);
   const VariantInfo& variant = FindVariant(flags.variant);
-  CheckNoFolder("--config", flags.config);
   const Options options = ResolveOptions<Options>(flags.config, flags.set, variant.defaults());
   const std::vector<std::string> classes =
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   CheckNotBelow(InputsOf(flags.sequence.stereo), flags.output);
   CheckPlaceOfRun(flags.output);
-  const Sequence sequence = OpenSequence(flags.sequence.Request(flags.quiet));
+  const Sequence sequence = OpenSequence(WithBoxes(flags.sequence.Request(flags.quiet), flags));
   CheckClasses(classes, sequence.detections);
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
   read.emplace_back(flags.config);
   const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);
+  const FolderLock lock(output.path() / "lock");
 
   RequireAsRendered(sequence);
   const std::optional<RunResult> run = [&] {
@@ -263,6 +294,12 @@ int Run(const Flags& flags) {
                           .landmarks = flags.landmarks,
                           .stop = [&stop] { return stop.Requested(); }};
     if (!flags.force) CheckFormerRun(request, output.path());
+    if (sequence.box_sources.detections.empty() && flags.sequence.detections_file.empty() &&
+        !flags.quiet) {
+      PrintNotice(
+          "no boxes: bodies are not estimated; --detections FILE reads boxes, `clustervo detect` "
+          "makes them");
+    }
     Progress progress(flags.quiet);
     request.progress = [&](std::size_t done) { progress.Report(done, sequence.images.size()); };
     return RunJob(request, output.path());
@@ -273,7 +310,10 @@ int Run(const Flags& flags) {
   }
   if (run->status == RunStatus::kFailed) throw Error(run->message);
   PrintSummary(*run, flags.all);
-  std::cout << "\nwritten: " << flags.output << '\n';
+  const std::string word = ShellWord(flags.output);
+  std::cout << "\nwritten: " << flags.output << "\nnext: clustervo plot " << word << " -o "
+            << ShellWord(flags.output + "/camera.svg") << "\n      clustervo overlay " << word
+            << " -o " << ShellWord(flags.output + "/pictures") << '\n';
   RefuseLost(*run);
   return 0;
 }
@@ -286,7 +326,8 @@ Command AddRunCommand(CLI::App& program) {
   const auto flags = std::make_shared<Flags>();
   flags->sequence.AddTo(*app);
   const FlagAdder add{*app};
-  add("-o,--output", flags->output, "FOLDER", "output folder for the results")->required();
+  add("-o,--output", flags->output, "FOLDER",
+      "output folder for the results; default: results/SEQUENCE, or results/SEQUENCE_VARIANT");
   add("--variant", flags->variant, "NAME", "estimator variant (see clustervo list variants)")
       ->check(OneOf(VariantNames()))
       ->capture_default_str();

@@ -16,9 +16,6 @@
 
 namespace cvo {
 
-inline constexpr const char* kSequenceMissing =
-    "no sequence: give a folder, or --left, --right and --calib";
-
 // Flags that select the sequence to read, and the part of it.
 struct SequenceFlags : SequenceRequest {
   std::string frames;        // "A:B"

@@ -98,7 +98,7 @@ void SequenceFlags::AddTo(CLI::App& app) {
   add("--detections", detections_file, "FILE|labels|none",
       "source of 2D boxes: a file in KITTI format (track ids are ignored), a detector level of a "
       "synthetic scene (oracle, good, poor), the 2D boxes of the labels (labels:0-5: of the tracks "
-      "with these ids), or none");
+      "with these ids), or none; default of run: good for such a scene, otherwise none");
   add("--detections-camera", detections_camera, "X",
       "camera (image_0X) in which the boxes were detected; default: the left camera in use");
   add("--right-shift", right_shift_px, "PX",
@@ -148,13 +148,11 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
 }
 
 SequenceRequest SequenceFlags::Request(bool quiet) const {
-  CheckNoFolder("--labels", labels_file);
-  if (detections_file != "labels" && detections_file != "none") {
-    CheckNoFolder("--detections", detections_file);
-  }
   SequenceRequest request = *this;
   if (stereo.left.empty() && stereo.right.empty()) {
-    if (folder.empty()) throw UsageError(kSequenceMissing);
+    if (folder.empty()) {
+      throw UsageError("no sequence: give a folder, or --left, --right and --calib");
+    }
     CheckSequenceFolder(folder);
   } else {
     if (!folder.empty()) {

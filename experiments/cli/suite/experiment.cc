@@ -18,23 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Estimates the seconds that one process takes to render, and to run the jobs that are not done.
-double SecondsOf(const BuiltPlan& built, const std::vector<JobStatus>& status) {
-  constexpr double kFrame_s = 1.0 / 35.0;
-  double seconds = 0.0;
-  for (const Preparation& scene : built.preparations) {
-    seconds += scene.frames * (scene.stage == Stage::kDrawing ? 0.28 : 0.03);
-  }
-  for (std::size_t i = 0; i < status.size(); ++i) {
-    const bool runs =
-        status[i].state == JobStatus::State::kMissing ||
-        (status[i].state == JobStatus::State::kFailed && !built.plan.jobs[i].job.empty());
-    if (runs) seconds += built.plan.jobs[i].frames * kFrame_s;
-  }
-  return seconds;
-}
-
-// Prints what is done in the output folder, what would run, and for how long.
+// Prints what is done in the output folder, and what would run.
 void PrintPlan(const SuiteRunFlags& flags) {
   const Suite suite = flags.suite.Load();
   const BuiltPlan built = PlanSuite(suite, flags.suite, flags.quiet);
@@ -48,9 +32,6 @@ void PrintPlan(const SuiteRunFlags& flags) {
     std::cout << "scenes to render: " << built.preparations.size() << " (" << frames
               << " frames)\n";
   }
-  const int processes = flags.engine.jobs > 0 ? flags.engine.jobs : DefaultThreads();
-  std::cout << "estimated time: " << DurationText(SecondsOf(built, status) / processes) << " with "
-            << Counted(static_cast<std::size_t>(processes), "process", "processes") << '\n';
 }
 
 // Prints the plan section by section. A suite of several sections is planned only once.
@@ -93,7 +74,7 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       ->capture_default_str();
   const auto dry_run = std::make_shared<bool>(false);
   app->add_flag("--dry-run", *dry_run,
-                "only print what is done, what would run, and for how long; nothing is written");
+                "only print what is done and what would run; nothing is written");
   AddQuiet(*app, flags->quiet);
   app->footer(
       "A job is one estimator with one set of options on one sequence with one seed, and runs "
@@ -104,7 +85,11 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
       "paper is a collection of suites: each runs in DIR/<suite>, and DIR/index.html shows the "
       "results\nas the paper's tables and figures.\nExit code 0: all jobs succeeded, 1: some "
       "failed or the suite is invalid, 2: wrong usage, 130:\ninterrupted.\n"
-      "Example: clustervo experiment run ablation -o results/ablation");
+      "Examples:\n"
+      "  clustervo experiment run ablation -o results/ablation\n"
+      "  clustervo experiment run --scenes room@1000:1012 --variants full,paper "
+      "--grid pairwise.alpha=0,5,20 \\\n      -o results/alpha   # keeps the suite as suite.json "
+      "there");
   return {app, [flags, dry_run] { return RunExperiment(*flags, *dry_run); }};
 }
 

@@ -21,9 +21,22 @@
 
 namespace cvo {
 
+namespace fs = std::filesystem;
+
 void SuiteFlags::AddTo(CLI::App& app) {
   const FlagAdder add{app};
-  add("SUITE", suite, "", "a shipped suite (clustervo list suites) or a suite file")->required();
+  CLI::Option* file =
+      add("SUITE", suite, "", "a shipped suite (clustervo list suites) or a suite file");
+  CLI::Option* scenes = add("--scenes", sweep.scenes, "A,B,...",
+                            "instead of SUITE: shipped scenes and seeds of families, such as "
+                            "indoor_1,room@1000:1012, with their good detections");
+  scenes->excludes(file);
+  add("--variants", sweep.variants, "A,B,...", "with --scenes: variants; default: full")
+      ->needs(scenes);
+  add("--grid", sweep.grid, "PATH=A,B,...",
+      "with --scenes: values of an option, every combination; can be repeated")
+      ->allow_extra_args(false)
+      ->needs(scenes);
   add("-o,--output", output, "DIR", "output folder of the suite")->required();
   add("--data", data, "FOLDER", "root folder of the real sequences; default: CLUSTERVO_DATA");
   add("--seeds", overrides.seeds, "N", "use seeds 1 to N instead of the suite's")
@@ -37,6 +50,12 @@ void SuiteFlags::AddTo(CLI::App& app) {
 }
 
 Suite SuiteFlags::Load() const {
+  if (!sweep.scenes.empty()) {
+    const fs::path folder = NormalFolder(fs::absolute(output));
+    const Json json = SweepDefinition(folder.filename().string(), sweep);
+    return LoadNamed("", [&] { return Override(ParseSuite(json, "--scenes"), overrides); });
+  }
+  if (suite.empty()) throw UsageError("no suite: give SUITE (clustervo list suites) or --scenes");
   return LoadNamed(suite, [&] { return Override(LoadSuite(suite), overrides); });
 }
 
@@ -99,8 +118,6 @@ void PrintJobs(const SuiteFolder& folder, const Plan& plan, const std::vector<Jo
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Stopped {};
 
 std::vector<fs::path> ReadBy(const SuiteFlags& suite) {
@@ -133,8 +150,8 @@ class SuiteRun {
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(EngineOf(flags.engine, suite_).Make(folder_)) {
-    RemoveTemporaries(folder_.root);
-    synth::RemoveLeftoversOfCache(flags.suite.Request().cache);
+    if (flags.suite.sweep.scenes.empty()) return;
+    WriteFilesAtomically(folder_.root, {{"suite.json", DumpJson(suite_.definition)}});
   }
 
   int Run() {

@@ -21,6 +21,7 @@ namespace cvo {
 // Flags that select a suite, its data and its output folder.
 struct SuiteFlags {
   std::string suite;
+  SuiteSweep sweep;  // with scenes: instead of `suite`
   std::string output;
   std::string data;
   SuiteOverrides overrides;

@@ -158,22 +158,6 @@ bool SceneCheckReport::Passed() const {
                      [](const SceneCheck& check) { return check.Passed(); });
 }
 
-Json SceneCheckJson(const SceneCheckReport& report) {
-  Json checks = Json::array();
-  for (const SceneCheck& check : report.checks) {
-    Json row = {{"name", check.name},
-                {"figure", std::isfinite(check.figure) ? Json(check.figure) : Json(nullptr)},
-                {"unit", check.unit},
-                {"at_most", check.limit},
-                {"passed", check.Passed()}};
-    if (!check.where.empty()) row["worst"] = check.where;
-    checks.push_back(std::move(row));
-  }
-  return {{"schema_version", 1},       {"folder", report.folder},
-          {"frames", report.frames},   {"image_frames", report.image_frames},
-          {"passed", report.Passed()}, {"checks", checks}};
-}
-
 SceneCheckReport CheckScene(const fs::path& folder, int threads) {
   if (!fs::is_regular_file(folder / "objects.csv")) {
     ThrowError(folder.string(), "no objects.csv", "the folder of a rendered scene");

@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "core/files/json/json.h"
-
 namespace cvo {
 
 // A measured figure of a rendered scene and the most that it may be.
@@ -29,9 +27,6 @@ struct SceneCheckReport {
 
   bool Passed() const;
 };
-
-// Returns the report as JSON. Figures that are not finite become null.
-Json SceneCheckJson(const SceneCheckReport& report);
 
 // Checks the files of a rendered scene against each other and against their manifest, using nothing
 // but the contents of the folder: images against depth, poses and masks, poses against velocities,

@@ -145,6 +145,20 @@ TEST(Documents, TargetsOfMakeExist) {
   EXPECT_GT(seen, 5);
 }
 
+TEST(Documents, TestsOfPromisesExist) {
+  std::string tests;
+  for (const auto& entry : fs::recursive_directory_iterator(kSource / "tests")) {
+    if (entry.path().extension() == ".cc") tests += ReadFileBytes(entry.path());
+  }
+  const std::string text = ReadFileBytes(kSource / "experiments" / "README.md");
+  const std::regex named(R"(`(\w+)\.([A-Z]\w+)`)");
+  int seen = 0;
+  for (std::sregex_iterator at(text.begin(), text.end(), named), end; at != end; ++at, ++seen) {
+    EXPECT_THAT(tests, HasSubstr((*at)[1].str() + ", " + (*at)[2].str() + ")"));
+  }
+  EXPECT_GT(seen, 8);
+}
+
 TEST(Documents, SuitesCanBePlanned) {
   const test::TempFolder folder;
   int suites = 0;

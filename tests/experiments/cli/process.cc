@@ -35,7 +35,6 @@ struct Pipe {
     ::setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
   }
   if (setup.file_size_limit > 0) {
-    std::signal(SIGXFSZ, SIG_IGN);  // inherited by the program, so that its writes fail
     const rlimit limit{setup.file_size_limit, setup.file_size_limit};
     ::setrlimit(RLIMIT_FSIZE, &limit);
   }

@@ -147,6 +147,19 @@ TEST_F(CliExplain, ListsBodiesAndExplainsOne) {
                              HasSubstr("worst error: "), HasSubstr("landmarks at first")));
 }
 
+TEST_F(CliExplain, ANumberIsThatOfATrack) {
+  fs::copy(Path("run"), Path("tracks"), fs::copy_options::recursive);
+  Json truth = ReadJson(Path("tracks") + "/truth.json");
+  for (std::size_t i = 0; i < truth["bodies"].size(); ++i) {
+    truth["bodies"][i]["name"] = StrCat("track ", i);
+  }
+  folder_->Write("tracks/truth.json", truth.dump());
+  for (const char* name : {"1", "track1", "track 1"}) {
+    const ProcessResult one = RunProgram({"explain", Path("tracks"), name});
+    EXPECT_THAT(one.out, testing::StartsWith("track 1 (")) << one.err;
+  }
+}
+
 // The run records where its boxes were read from.
 TEST_F(CliExplain, FindsBoxesOutsideTheSequence) {
   fs::copy_file(Path("scene") + "/detections/oracle.txt", Path("elsewhere.txt"));

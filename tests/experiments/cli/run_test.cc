@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <map>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
+#include "experiments/suite/job_status.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/support/real_data.h"
 
@@ -52,8 +54,10 @@ TEST_F(CliRun, WritesItsFilesAndPrintsTheMetrics) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("camera_ate "), HasSubstr("8 frames"), HasSubstr("status"),
                              testing::Not(HasSubstr("camera_ate_median")), HasSubstr("--all"),
-                             testing::EndsWith("\nwritten: " + out().string() + "\n")));
-  EXPECT_THAT(run.err, AllOf(HasSubstr("100 %  8/8 frames"), HasSubstr("frames/s")));
+                             HasSubstr(StrCat("\nwritten: ", out().string(),
+                                              "\nnext: clustervo plot ", out().string()))));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("no boxes: bodies are not estimated; --detections "),
+                             HasSubstr("100 %  8/8 frames"), HasSubstr("frames/s")));
   const Json result = ResultOf(out());
   EXPECT_EQ(result["seed"], 7);
   EXPECT_EQ(result["options"]["orb"]["features"], 500);
@@ -114,6 +118,17 @@ TEST_F(CliRun, AnotherRunIsNotReplaced) {
   EXPECT_FALSE(fs::exists(out() / "landmarks.csv"));
   folder_.Write("out/result.json", "{");
   ExpectError(Run(out(), {"-q"}), "; use --force to replace it", 2);
+}
+
+TEST_F(CliRun, OwnsItsFolder) {
+  fs::create_directory(out());
+  {
+    const FolderLock lock(out() / "lock");
+    ExpectError(Run(out(), {"-q"}), StrCat(": found in use by process ", ::getpid(), " on "), 1);
+    EXPECT_FALSE(fs::exists(out() / "result.json"));
+  }
+  EXPECT_EQ(Run(out(), {"-q"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(out() / "lock"));
 }
 
 // If frames are lost, the trajectory of predictions is still written, but the run fails and names

@@ -7,6 +7,8 @@ Usage: package_test.py README.md
 
 import csv
 import re
+import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -115,14 +117,27 @@ class BadInput(unittest.TestCase):
         odometry = make(self.camera)
         colour = np.zeros((120, 160, 3), np.uint8)
         self.assert_error("left image: found 3 dimensions", odometry.process, colour, colour, 0)
-        with self.assertRaises(TypeError):
-            odometry.process(self.image.astype(float), self.image, 0)
+        self.assert_error("left image: found float64, expected uint8", odometry.process,
+                          self.image.astype(float), self.image, 0)
 
     def test_times_must_increase(self):
         odometry = clustervo.StereoOdometry(self.camera, variant="static")
         self.assertEqual(odometry.process(self.image, self.image, 5).status, "lost")
         self.assertEqual(odometry.skip(6).status, "skipped")
         self.assert_error("timestamps must increase", odometry.skip, 6)
+
+
+class Missing(unittest.TestCase):
+    def test_names_the_packages(self):
+        with tempfile.TemporaryDirectory() as folder:
+            package = Path(folder) / "clustervo"
+            package.mkdir()
+            for name in ("__init__.py", "results.py"):
+                shutil.copy(Path(clustervo.__file__).with_name(name), package)
+            run = subprocess.run([sys.executable, "-c", "import clustervo"], cwd=folder,
+                                 env={"PYTHONPATH": folder}, capture_output=True, text=True)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("python3-dev pybind11-dev python3-numpy", run.stderr)
 
 
 if __name__ == "__main__":

@@ -54,6 +54,18 @@ TEST(Suite, ReadsAFile) {
   EXPECT_THAT(suite.oracles, ElementsAre(ElementsAre(), ElementsAre("boxes", "labels")));
 }
 
+TEST(Suite, HasDefaultsForSeedsAndTable) {
+  Json json = With("/variants", {"full", "static"});
+  json["grid"] = {{"unary.eta", {0.5, 0.9}}};
+  json.erase("seeds");
+  json.erase("table");
+  const Suite suite = Parse(json);
+  EXPECT_THAT(suite.seeds, ElementsAre(1));
+  EXPECT_THAT(suite.table.rows, ElementsAre("variant", "unary.eta"));
+  EXPECT_EQ(suite.table.metrics.size(), 6U);
+  EXPECT_EQ(suite.table.reference, "full");
+}
+
 TEST(Suite, SeedsAreANumberOrAList) {
   EXPECT_THAT(Parse(With("/seeds", 3)).seeds, ElementsAre(1, 2, 3));
   EXPECT_THAT(Parse(With("/seeds", {7, 0})).seeds, ElementsAre(7, 0));
@@ -180,7 +192,7 @@ TEST(Suite, AWrongValueIsNamedWithFileAndKey) {
       {"/oracles", {{"boxs"}}, "oracles.0.0"},
       {"/oracles", Json::array(), "oracles"},
       {"/systems", {{{"name", "full"}}}, "systems.0"},
-      {"/table/metrics", {"camera_aet"}, "table.metrics.0"},
+      {"/table/metrics", {"camera_aet"}, "(did you mean camera_ate?)"},
       {"/table/metrics", Json::array(), "table.metrics"},
       {"/table/rows", {"varaint"}, "table.rows.0"},
       {"/table/reference", "static", "table.reference"},

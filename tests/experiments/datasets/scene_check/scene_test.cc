@@ -36,7 +36,13 @@ std::vector<std::string> Failed(const std::vector<SceneCheck>& checks) {
   return names;
 }
 
-std::string Describe(const SceneCheckReport& report) { return DumpJson(SceneCheckJson(report)); }
+std::string Describe(const SceneCheckReport& report) {
+  std::string text;
+  for (const SceneCheck& check : report.checks) {
+    text += StrCat(check.name, " ", check.figure, " ", check.where, "\n");
+  }
+  return text;
+}
 
 class SceneCheckTest : public testing::Test {
  protected:
