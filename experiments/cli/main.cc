@@ -9,6 +9,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <mutex>
 #include <new>
 #include <opencv2/core/utility.hpp>
@@ -109,6 +110,27 @@ std::string CommandName(const CLI::App& app) {
   return above == nullptr ? app.get_name() : CommandName(*above) + " " + app.get_name();
 }
 
+// Spellings of version 0.2, and what took their place.
+std::string PresentName(const std::string& command, const std::string& word) {
+  static const std::map<std::string, std::string> kPresent = {
+      {"clustervo variants", "list variants"},
+      {"clustervo options", "list options"},
+      {"clustervo eval --estimate", "eval trajectory or eval boxes"},
+      {"clustervo synth list", "list scenes"},
+      {"clustervo synth generate", "synth render FAMILY@SEED"},
+      {"clustervo experiment list", "list suites"},
+      {"clustervo experiment plan", "experiment run SUITE -o DIR --dry-run"},
+      {"clustervo experiment status",
+       "experiment table DIR, or experiment run SUITE -o DIR --dry-run"},
+      {"clustervo synth preview", "synth render SCENE -o FILE --preview"},
+      {"clustervo import", "info --left L --right R --calib C -o FOLDER"},
+      {"clustervo experiment times", "experiment table --times"},
+      {"clustervo compare", "experiment compare"},
+      {"clustervo figures", "plot DIR"}};
+  const auto found = kPresent.find(command + " " + word);
+  return found == kPresent.end() ? "" : ", now clustervo " + found->second;
+}
+
 // Throws UsageError for a word that is no subcommand where one must be, and for a flag that the
 // command does not have, with what was probably meant. The parser would only call them unexpected.
 void CheckNames(int argc, char** argv, const CLI::App& program) {
@@ -137,7 +159,8 @@ void CheckNames(int argc, char** argv, const CLI::App& program) {
     const std::string name = is_flag ? word.substr(0, word.find('=')) : word;
     if (std::find(names.begin(), names.end(), name) != names.end()) continue;
     const std::string command = CommandName(*app);
-    const std::string meant = DidYouMean(name, names);
+    const std::string present = PresentName(command, name);
+    const std::string meant = present.empty() ? DidYouMean(name, names) : present;
     if (is_flag && meant.empty()) continue;  // the value of a flag, or left to ExplainUsage
     throw UsageError(StrCat(command,
                             is_flag ? " has no flag " + name : " has no subcommand " + Quoted(name),

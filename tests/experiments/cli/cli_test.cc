@@ -78,6 +78,27 @@ TEST_F(Cli, WrongUsage) {
                {{"--min-score", "nan"}, "--min-score"}});
 }
 
+// Spellings of version 0.2 get one line that names the present ones.
+TEST_F(Cli, FormerSpellingsNameThePresentOnes) {
+  const std::vector<Wrong> former = {
+      {{"variants"}, "list variants"},
+      {{"options"}, "list options"},
+      {{"synth", "list"}, "list scenes"},
+      {{"synth", "generate", "room", "--seed", "3"}, "synth render FAMILY@SEED"},
+      {{"experiment", "list"}, "list suites"},
+      {{"experiment", "plan", "ci", "-o", "x"}, "experiment run SUITE -o DIR --dry-run"},
+      {{"experiment", "status", "x"}, "experiment table DIR"},
+      {{"synth", "preview", "x"}, "synth render SCENE -o FILE --preview"},
+      {{"import", "-o", "x"}, "info --left L"},
+      {{"experiment", "times", "x"}, "experiment table --times"},
+      {{"compare", "a", "b"}, "experiment compare"},
+      {{"figures", "a", "-o", "x"}, "plot DIR"},
+      {{"eval", "--groundtruth", "a", "--estimate", "b"}, "eval trajectory or eval boxes"}};
+  for (const Wrong& one : former) {
+    ExpectError(RunProgram(one.arguments), ", now clustervo " + one.message, 2);
+  }
+}
+
 TEST_F(Cli, HelpHidesSingleJobs) {
   EXPECT_THAT(RunProgram({"experiment", "--help"}).out, Not(HasSubstr("\n  job ")));
   EXPECT_EQ(RunProgram({"experiment", "job", "--help"}).exit_code, 0);
