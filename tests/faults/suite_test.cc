@@ -121,32 +121,6 @@ TEST_F(SuiteFaults, Markdown) {
   for (std::string line; std::getline(lines, line);) EXPECT_TRUE(line.starts_with("    ")) << line;
 }
 
-// Impossible values in a saved table used to be shown as results.
-TEST_F(SuiteFaults, OddValues) {
-  RunSuite();
-  ExpectDone({"experiment", "table", out()});
-  const std::string table = ReadFileBytes(At("out/table.json"));
-  const std::vector<std::function<void(Json&)>> edits = {
-      [](Json& cell) { cell["value"] = -1e308; }, [](Json& cell) { cell["value"] = 1e308; },
-      [](Json& cell) { cell["value"] = -0.5; },
-      [](Json& cell) {
-        cell["interval"] = {{"low", 5}, {"high", 1}, {"meaning", "x"}};
-      },
-      [](Json& cell) {
-        cell["interval"] = {{"low", 1}, {"high", 1e300}, {"meaning", "x"}};
-      }};
-  for (std::size_t i = 0; i < edits.size(); ++i) {
-    Edit(At("out/table.json"), [&](Json& json) {
-      for (std::size_t j = 0; j < json["columns"].size(); ++j) {
-        if (json["columns"][j]["metric"] == "camera_ate") edits[i](json["rows"][0]["cells"][j]);
-      }
-    });
-    ExpectOneLine({"experiment", "table", "--from", At("out/table.json")}, 1, "camera_ate");
-    WriteFileBytes(At("out/table.json"), table);
-  }
-  ExpectDone({"experiment", "table", "--from", At("out/table.json")});
-}
-
 // Killed processes used to leave files and empty folders behind that were never removed.
 TEST_F(SuiteFaults, Leftovers) {
   ExpectDone(Suite("run"));

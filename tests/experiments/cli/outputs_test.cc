@@ -177,8 +177,10 @@ TEST_F(CliOutputs, InputsAreNeverOverwritten) {
        "--objects", Path("run/clusters"), "-o", Path("run/clusters")},
       {"experiment", "run", Path("suite.json"), "-o", Path("data")},
       {"experiment", "table", Path("suite"), "--format", "csv", "-o", Path("suite/plan.json")},
-      {"experiment", "table", "--from", Path("suite/table.json"), "-o", Path("suite/table.json")},
+      {"experiment", "table", Path("suite"), "-o", Path("run/result.json")},
+      {"experiment", "table", Path("suite"), "-o", Path("other.json")},
       {"check", Path("suite"), "--write-baseline", Path("suite/plan.json")},
+      {"check", Path("suite"), "--write-baseline", Path("run/result.json")},
       {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", Path("base.json")}};
   fs::create_directories(Path("run/clusters"));
   std::string other = test::ReadFile(Path("suite.json"));
