@@ -142,6 +142,7 @@ Command AddExperimentCompareCommand(CLI::App& experiment) {
       ->required()
       ->expected(-2);
   flags->format.AddTo(*app);
+  flags->format.all = true;
   app->footer(
       "Suites: the output starts with the options, builds and variants in which they differ. Rows, "
       "scenes,\nseeds and bodies are paired; differences are B - A. Results that define the same "
@@ -165,7 +166,7 @@ struct CheckFlags {
   std::size_t gate_seeds = 0;
   std::string junit;
   std::string markdown;
-  bool exact = false;
+  bool tolerant = false;
 };
 
 std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
@@ -174,12 +175,14 @@ std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
 
 int WriteBaseline(const CheckFlags& flags) {
   CheckOutputFile(flags.write_baseline, ReadBy(flags));
+  const std::string begins = reports::BaselineText({});
+  CheckOwnFile(flags.write_baseline, begins.substr(0, begins.find("\"suite\"")));
   const reports::Baseline baseline = reports::MakeBaseline(flags.folder, flags.gate_seeds);
   WriteOutputFile(flags.write_baseline, reports::BaselineText(baseline), ReadBy(flags));
   std::cout << baseline.suite << ": " << Counted(baseline.jobs.size(), "run") << " with "
             << Counted(baseline.metrics.size(), "metric") << "; checked runs need "
-            << Counted(baseline.seeds.size(), "seed") << "\nwritten: " << flags.write_baseline
-            << '\n';
+            << Counted(baseline.seeds.size(), "seed") << "\n\n"
+            << reports::NoticedText(baseline) << "\nwritten: " << flags.write_baseline << '\n';
   return 0;
 }
 
@@ -188,7 +191,7 @@ int Check(const CheckFlags& flags) {
     if (!file.empty()) CheckOutputFile(file, ReadBy(flags));
   }
   const reports::Baseline baseline = reports::ReadBaseline(flags.baseline);
-  const reports::GateReport report = reports::CheckRuns(flags.folder, baseline, flags.exact);
+  const reports::GateReport report = reports::CheckRuns(flags.folder, baseline, !flags.tolerant);
   if (!flags.junit.empty()) WriteOutputFile(flags.junit, reports::GateJunit(report), ReadBy(flags));
   if (!flags.markdown.empty())
     WriteOutputFile(flags.markdown, reports::GateMarkdown(report), ReadBy(flags));
@@ -215,16 +218,17 @@ Command AddCheckCommand(CLI::App& program) {
       ->needs(write);
   add("--junit", flags->junit, "FILE", "also write JUnit XML")->needs(check);
   add("--markdown", flags->markdown, "FILE", "also write a summary in Markdown")->needs(check);
-  app->add_flag("--exact", flags->exact,
-                "also fail the check if any value differs from the baseline, better or worse; not "
-                "applied if compiler, libraries or level of the processor are not the baseline's")
+  app->add_flag(
+         "--tolerant", flags->tolerant,
+         "hold runs on the baseline's platform (compiler, libraries, level of the processor) "
+         "to tolerances too, instead of to equal values")
       ->needs(check);
   check->excludes(write);
   app->footer(
-      "Runs are paired by scene and seed. A variant regresses in a metric if its mean difference "
-      "is\nworse than noise between seeds fails one check in a hundred.\nExit code 1 on a "
-      "regression, or if a job or a metric of the baseline is missing, failed or is\ndefined "
-      "differently.\n"
+      "Runs are paired by scene and seed. Those on the baseline's platform must have its values. A "
+      "variant\nregresses in a metric if it is worse by more than noise between seeds explains in "
+      "one check of a\nhundred.\nExit code 1 on a regression or change, or if a job or a metric of "
+      "the baseline is missing, failed or\nis defined differently.\n"
       "Example: clustervo check results/ci --baseline reports/baselines/ci.json");
   app->callback([flags] {
     if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;
