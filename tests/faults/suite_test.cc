@@ -109,7 +109,9 @@ TEST_F(SuiteFaults, Markdown) {
     plan["suite"]["name"] = "[x](javascript:y) <b> https://a.b ![i](c) www.d.e \x1b[31m";
   });
   const std::string file = At("check.md");
-  ExpectDone({"check", out(), "--baseline", At("baseline.json"), "--markdown", file});
+  ExpectOneLine({"check", out(), "--baseline", At("baseline.json")}, 1, "the suite \"[x]");
+  ExpectDone({"check", out(), "--write-baseline", At("other.json"), "--gate-seeds", "2"});
+  ExpectDone({"check", out(), "--baseline", At("other.json"), "--markdown", file});
   const std::string text = ReadFileBytes(file);
   EXPECT_THAT(text, Not(HasSubstr("\x1b")));
   const std::string verdict = text.substr(0, text.find("\n\n"));

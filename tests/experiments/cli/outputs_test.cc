@@ -73,7 +73,7 @@ class CliOutputs : public testing::Test {
     folder_->Write("suite.json",
                    "{\"name\": \"small\", \"sequences\": [{\"folder\": \"wall\"}], \"variants\": "
                    "[\"static\"], \"seeds\": 2, \"table\": {\"rows\": [\"variant\"], "
-                   "\"metrics\": [\"camera_ate\"], \"reference\": \"static\"}}");
+                   "\"metrics\": [\"camera_trpe_1_frame\"], \"reference\": \"static\"}}");
     const Arguments suite = {"experiment", "run", Path("suite.json"), "-o", Path("suite"), "-q"};
     const Arguments table = {"experiment", "table", Path("suite")};
     const Arguments baseline = {"check", Path("suite"), "--write-baseline", Path("base.json")};
