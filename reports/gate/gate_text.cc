@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -17,7 +16,6 @@ namespace {
 
 using TextRows = std::vector<std::vector<std::string>>;  // the first is the header
 
-constexpr std::size_t kNearest = 5;
 constexpr std::size_t kMaxProblems = 20;
 
 std::vector<std::string> Cells(const Comparison& comparison) {
@@ -33,8 +31,7 @@ std::vector<std::string> Cells(const Comparison& comparison) {
           NameOf(comparison.verdict)};
 }
 
-// The comparisons that moved beyond their tolerance and then, of the rest, those over all scenes
-// that came nearest to it.
+// The comparisons that moved beyond their tolerance.
 TextRows MovedRows(const GateReport& report) {
   TextRows rows = {
       {"variant", "scene", "metric", "baseline", "now", "change", "tolerance", "pairs", "verdict"}};
@@ -43,15 +40,6 @@ TextRows MovedRows(const GateReport& report) {
       if (comparison.verdict == verdict) rows.push_back(Cells(comparison));
     }
   }
-  std::vector<Comparison> within = report.comparisons;
-  std::erase_if(within, [](const Comparison& comparison) {
-    return comparison.verdict != Verdict::kWithin || !comparison.scene.empty();
-  });
-  std::stable_sort(within.begin(), within.end(), [](const Comparison& a, const Comparison& b) {
-    return std::abs(a.change()) * b.tolerance > std::abs(b.change()) * a.tolerance;
-  });
-  within.resize(std::min(within.size(), kNearest));
-  for (const Comparison& comparison : within) rows.push_back(Cells(comparison));
   return rows;
 }
 

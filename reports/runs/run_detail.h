@@ -87,8 +87,7 @@ LandmarksByFrame ReadLandmarks(const std::filesystem::path& file, LandmarkLabel 
 
 // Times of a suite's runs as texts; values are medians over the runs of a row.
 struct SuiteTimes {
-  // Header first, rows in the order of the plan. The last column is the time per frame divided by
-  // that of the first row with the same scenes and variant.
+  // Header first, rows in the order of the plan.
   std::vector<std::vector<std::string>> table;
   std::vector<std::string> machines;  // distinct processors with their numbers of threads
 };

@@ -253,26 +253,35 @@ void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& fold
   CorrectForMany(differences);
 }
 
-Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
-                const std::string& default_options, const std::string& compared_with) {
-  SuitePlan plan = ReadPlan(folder / "plan.json");
-  if (!compared_with.empty()) plan.reference = compared_with;
+Table MakeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
+                const std::filesystem::path& folder, const Reference& reference,
+                const std::string& default_options) {
   const std::string full_reference = FullReference(plan);
-  const std::vector<std::string> metrics = WithCoverage(plan.metrics);
-  const std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);
   const std::vector<RowRuns> rows = GroupRuns(runs, plan.rows);
-  Table table = DescribeTable(plan, runs, metrics, default_options);
+  Table table = DescribeTable(plan, runs, WithCoverage(plan.metrics), default_options);
   table.reference = plan.reference;
   const auto reference_of = [&](const RowRuns& row) {
     return FindReference(rows, row, plan.rows, full_reference);
   };
-  if (!compared_with.empty() && std::none_of(rows.begin(), rows.end(), reference_of)) {
-    ThrowError("reference " + Quoted(compared_with), "no such row in " + plan.file.string(),
-               "the variant or the key=value of a row");
-  }
   AddRows(rows, folder, reference_of, table);
   AddReferenceRows(reference, table);
   return table;
+}
+
+Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
+                const std::string& default_options, const std::string& compared_with) {
+  SuitePlan plan = ReadPlan(folder / "plan.json");
+  if (!compared_with.empty()) plan.reference = compared_with;
+  const std::vector<SuiteRun> runs = ReadRuns(folder, plan, WithCoverage(plan.metrics));
+  const std::vector<RowRuns> rows = GroupRuns(runs, plan.rows);
+  const auto has_reference = [&, full = FullReference(plan)](const RowRuns& row) {
+    return FindReference(rows, row, plan.rows, full) != nullptr;
+  };
+  if (!compared_with.empty() && std::none_of(rows.begin(), rows.end(), has_reference)) {
+    ThrowError("reference " + Quoted(compared_with), "no such row in " + plan.file.string(),
+               "the variant or the key=value of a row");
+  }
+  return MakeTable(plan, runs, folder, reference, default_options);
 }
 
 bool IsComplete(const Table& table) {

@@ -56,6 +56,11 @@ void AddReferenceRows(const Reference& reference, Table& table);
 Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
                 const std::string& default_options, const std::string& compared_with = "");
 
+// The table of these runs, with links relative to `folder`.
+Table MakeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
+                const std::filesystem::path& folder, const Reference& reference,
+                const std::string& default_options);
+
 // Compares the runs of `folder` with those of `before`, paired by row, scene, seed and body. Values
 // are those of `folder`; differences are with respect to the same row of `before`. Throws Error as
 // MakeTable does, and if the two have no run in common.

@@ -6,10 +6,11 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/atomic_file.h"
 #include "core/files/text/closest_names.h"
 #include "core/record/metric_catalogue.h"
 #include "core/record/suite_runs.h"
@@ -44,58 +45,36 @@ std::vector<reports::RunSummary> ReadRunsToCompare(const std::vector<std::string
   return runs;
 }
 
-reports::PlanJob PlannedJobOf(const reports::RunSummary& run) {
-  reports::PlanJob job;
-  job.sequence = run.sequence.name;
-  job.variant = run.variant;
-  if (run.system) {
-    job.system = run.variant.substr(reports::SystemVariant("").size());
-    job.variant.clear();
-  }
-  job.seed = run.seed;
-  job.oracle = run.given.value("oracle", std::vector<std::string>());
-  job.frames = run.sequence.frames;
-  job.job = run.job;
-  return job;
-}
-
-// Makes `folder` look like the output folder of a suite of these runs, with the first as the
-// reference. Throws Error for runs on different sequences and for a run given twice.
-void WriteSuiteOfRuns(const std::vector<std::string>& folders, const fs::path& folder) {
+// The table of a suite of these runs, with the first as the reference. Throws Error for runs on
+// different sequences and for a run given twice.
+reports::Table TableOfRuns(const std::vector<std::string>& folders) {
   const std::vector<reports::RunSummary> runs = ReadRunsToCompare(folders);
   std::vector<std::string> variants;
   for (const reports::RunSummary& run : runs) variants.push_back(run.variant);
   const std::vector<std::string> names = UniqueNames(variants, folders);
-  reports::PlanFile plan;
-  plan.suite.name = "Runs on " + runs.front().sequence.name;
-  for (const char* name : kRunMetrics) {
-    const bool any = std::any_of(runs.begin(), runs.end(), [&](const auto& run) {
-      return reports::FindMetric(run, name) != nullptr;
-    });
-    if (any) plan.table.metrics.emplace_back(name);
-  }
-  plan.table.reference = names.front();
-  if (names != variants) {
-    plan.table.rows = {"variant", "run"};
-    plan.table.reference = "run=" + names.front();
-  }
-  fs::create_directories(folder / "jobs");
+  reports::SuitePlan plan;
+  plan.name = "Runs on " + runs.front().sequence.name;
+  plan.metrics.assign(kRunMetrics.begin(), kRunMetrics.end());
+  plan.reference = names.front();
+  std::set<std::string> jobs;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    plan.jobs.push_back(PlannedJobOf(runs[i]));
-    if (names != variants) plan.jobs.back().parameters["run"] = names[i];
-    const fs::path job = folder / "jobs" / runs[i].job;
-    if (fs::exists(job)) ThrowError(folders[i], "the same run twice", "each once");
-    fs::create_directory_symlink(fs::absolute(folders[i]), job);
+    if (!jobs.insert(runs[i].job).second) ThrowError(folders[i], "the same run twice", "each once");
+    reports::PlannedRun& planned = plan.runs.emplace_back();
+    planned.keys = {{"sequence", runs[i].sequence.name}, {"variant", names[i]}};
+    planned.seed = runs[i].seed;
+    if (runs[i].system) planned.system = names[i];
   }
-  WriteFilesAtomically(folder, {{"plan.json", FileText(plan)}});
+  std::vector<reports::SuiteRun> results;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    results.push_back({plan.runs[i], runs[i].status, runs[i].message, "", std::nullopt});
+    if (runs[i].status != "failed") results.back().run = runs[i];
+  }
+  return reports::MakeTable(plan, results, fs::current_path(), {}, DefaultOptions());
 }
 
-// As the table of a suite of these runs.
 int CompareRuns(const CompareFlags& flags) {
-  const ScratchFolder suite;
-  WriteSuiteOfRuns(flags.folders, suite.path());
-  const reports::Table table = reports::MakeTable(suite.path(), {}, DefaultOptions());
-  OutputTable(table, flags.format, {flags.folders.begin(), flags.folders.end()});
+  OutputTable(TableOfRuns(flags.folders), flags.format,
+              {flags.folders.begin(), flags.folders.end()});
   return 0;
 }
 

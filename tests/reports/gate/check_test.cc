@@ -93,9 +93,6 @@ TEST_F(GateTest, ChangesWithinSeedNoiseAreTolerated) {
   EXPECT_FALSE(report.Regressed());
   // Two changes, each on its scene and over both scenes.
   EXPECT_EQ(report.Count(Verdict::kWithin), 4U);
-  const std::string text = GateText(report);
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5)
-      << "headline, header and two over both scenes";
 }
 
 TEST_F(GateTest, ValuesAreHeldExactlyWhereThePlatformIsTheBaselines) {
