@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/tables/table_texts.h"
 #include "tests/reports/results/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
