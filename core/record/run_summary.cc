@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/lists.h"
+#include "core/files/sha256.h"
 #include "core/files/text_file.h"
 #include "core/record/metric_catalogue.h"
 
@@ -50,13 +51,57 @@ void CheckBodies(const std::vector<BodyRow>& bodies, const std::string& where) {
   }
 }
 
+// Of a system, the hashes of its files are the options.
+std::string JobOf(const RunSummary& run) {
+  Json options = run.options;
+  if (run.system) {
+    const Json objects = run.system->value("objects", Json());
+    options = {{"camera", run.system->value("camera", "")},
+               {"objects", objects.is_null() ? Json("") : objects}};
+  }
+  const std::string detections = run.system ? "" : run.sequence.detections_hash;
+  return JobIdentity({IdentityOf(run.build), run.variant, options, run.sequence.content, detections,
+                      run.given, run.seed});
+}
+
+// Finds the slip of a hand, not a forger. Older files state no checksum.
+void CheckUnedited(const RunSummary& run) {
+  if (run.checksum.empty()) return;
+  if (run.checksum == ChecksumOf(run) && run.job == JobOf(run)) return;
+  ThrowError(run.file.string(), "values, options or hashes that do not fit its checksum and job",
+             "a result as it was written: run its job again");
+}
+
 }  // namespace
+
+std::string ChecksumOf(RunSummary run) {
+  run.checksum.clear();
+  run.calibration.reset();
+  return Sha256Hex(FileText(run));
+}
+
+std::string IdentityOf(const BuildInfo& build) {
+  JsonWriter fields;
+  BuildInfo::VisitIdentity(build, fields);
+  return Sha256Hex(DumpJson(fields.Take()));
+}
+
+std::string JobIdentity(const Job& job) {
+  return Sha256Hex(DumpJson({{"build", job.build},
+                             {"variant", job.variant},
+                             {"options", job.options},
+                             {"content", job.content},
+                             {"detections", job.detections},
+                             {"given", job.given},
+                             {"seed", job.seed}}));
+}
 
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics) {
   // Skips the poses, which make up most of a result and are read elsewhere.
   auto run = ReadRecord<RunSummary>(result_file, {"clusters", "frames", "trajectories"});
   run.file = result_file;
+  CheckUnedited(run);
   CheckCounts({{"first_frame", run.sequence.first_frame},
                {"frames", run.sequence.frames},
                {"total_frames", run.sequence.total_frames}},

@@ -167,6 +167,7 @@ struct RunSequence : SequenceInfo {
   std::uint64_t detections = 0;
   std::string detections_hash;
   std::string content;  // hash
+  std::string images;   // hash of the images alone, whatever their folder is named; empty: unknown
   CameraInfo camera;
   std::optional<Json> perturbation;   // of images and calibration
   std::vector<std::string> warnings;  // about implausible timestamps and truth
@@ -175,7 +176,7 @@ struct RunSequence : SequenceInfo {
   CVO_RECORD(CVO_FIELD(name, type) CVO_ADDED(dataset) CVO_FIELD(pair) CVO_ADDED(groundtruth)
                  CVO_FIELD(first_frame, frames, total_frames)
                      CVO_ADDED(labels, detections, detections_hash, content, camera)
-                         CVO_OPTIONAL(perturbation, warnings, layout));
+                         CVO_OPTIONAL(perturbation, warnings, layout, images));
 };
 
 struct RunBodies {
@@ -205,17 +206,40 @@ struct RunSummary {
   std::vector<MetricValue> metrics;
   std::optional<RunBodies> bodies;              // empty without truth
   std::optional<CalibrationState> calibration;  // at the end; empty if it was not estimated
+  std::string checksum;                         // ChecksumOf; empty in older files
 
   CVO_RECORD(CVO_FIELD(job, status) CVO_ADDED(message) CVO_FIELD(variant) CVO_OPTIONAL(system)
                  CVO_FIELD(seed, sequence) CVO_ADDED(options, given) CVO_OPTIONAL(detection_counts)
-                     CVO_ADDED(build, metrics, bodies) CVO_OPTIONAL(calibration));
+                     CVO_ADDED(build, metrics, bodies) CVO_OPTIONAL(calibration, checksum));
 };
+
+// Hash of the fields above but the calibration, which files state in more detail, and itself.
+std::string ChecksumOf(RunSummary run);
+
+// What determines the bytes of a result besides its input: two builds with the same hash of all
+// fields but the commit give the same results.
+std::string IdentityOf(const BuildInfo& build);
+
+// Everything that determines the bytes of a result.
+struct Job {
+  std::string build;  // BuildInfo::identity
+  std::string variant;
+  Json options;            // resolved
+  std::string content;     // hash of the sequence
+  std::string detections;  // RunSequence::detections_hash
+  Json given;
+  std::uint64_t seed = 0;
+};
+
+// Jobs with the same identity have the same result.
+std::string JobIdentity(const Job& job);
 
 // Returns the variant name of a run that scores another system's files.
 inline std::string SystemVariant(const std::string& system) { return "system:" + system; }
 
 // Reads a result, keeping only the metrics of these names. Throws Error naming the file and the
-// field, however deep: another schema version, an incomplete file, not a run, an invalid number.
+// field, however deep: another schema version, an incomplete file, not a run, an invalid number, a
+// checksum or job that is not that of its content.
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics);
 

@@ -200,6 +200,9 @@ OutputFolder CheckOutputFile(const std::filesystem::path& file,
 void WriteOutputFile(const std::filesystem::path& file, const std::string& content,
                      const std::vector<std::filesystem::path>& read);
 
+// Throws UsageError for a file that is there and does not begin like this.
+void CheckOwnFile(const std::filesystem::path& file, const std::string& begins);
+
 // For a folder that will become a sequence. It may replace a sequence, but not lie in one.
 void CheckNewSequence(const std::filesystem::path& folder,
                       const std::vector<std::filesystem::path>& read);

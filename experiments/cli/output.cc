@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/files/json/json.h"
+#include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/runner/run_files.h"
 
@@ -116,6 +117,13 @@ void WriteOutputFile(const fs::path& file, const std::string& content,
                      const std::vector<fs::path>& read) {
   const OutputFolder output = CheckOutputFile(file, read);
   WriteFilesAtomically(output.path(), {{file.filename().string(), content}});
+}
+
+void CheckOwnFile(const fs::path& file, const std::string& begins) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored) || fs::is_empty(file, ignored)) return;
+  if (ReadFileBytes(file, begins.size()) == begins) return;
+  Refuse(file, "a file with another content", "a new file, or one that this command wrote");
 }
 
 void CheckNewSequence(const fs::path& folder, const std::vector<fs::path>& read) {

@@ -49,31 +49,15 @@ reports::BuildInfo IdentifyBuild() {
                                                     ".", EIGEN_MINOR_VERSION)};
   build.cpu_level = CpuLevelName();
   build.commit = kCommit;
-  build.identity = IdentityOf(build);
+  build.identity = reports::IdentityOf(build);
   return build;
 }
 
 }  // namespace
 
-std::string IdentityOf(const reports::BuildInfo& build) {
-  JsonWriter fields;
-  reports::BuildInfo::VisitIdentity(build, fields);
-  return Sha256Hex(DumpJson(fields.Take()));
-}
-
 const reports::BuildInfo& ThisBuild() {
   static const reports::BuildInfo build = IdentifyBuild();
   return build;
-}
-
-std::string JobIdentity(const Job& job) {
-  return Sha256Hex(DumpJson({{"build", job.build},
-                             {"variant", job.variant},
-                             {"options", job.options},
-                             {"content", job.content},
-                             {"detections", job.detections},
-                             {"given", job.given},
-                             {"seed", job.seed}}));
 }
 
 std::string DetectionsHash(const Sequence& sequence) {
@@ -125,6 +109,12 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
   DumpJsonWithRows(
       json, "images", next, [&hash](std::string_view part) { hash.Add(part); }, behind);
   return hash.Hex();
+}
+
+std::string ImagesHash(const std::vector<ImageHashes>& images) {
+  Sha256 hash;
+  for (const ImageHashes& image : images) hash.Add(StrCat(image.left, " ", image.right, "\n"));
+  return images.empty() ? "" : hash.Hex();
 }
 
 namespace fs = std::filesystem;

@@ -15,26 +15,8 @@
 
 namespace cvo {
 
-// What determines the bytes of a result besides its input: two builds with the same hash of all
-// fields but the commit give the same results.
-std::string IdentityOf(const reports::BuildInfo& build);
-
 // The running program on this CPU.
 const reports::BuildInfo& ThisBuild();
-
-// Everything that determines the bytes of a result.
-struct Job {
-  std::string build;  // BuildInfo::identity
-  std::string variant;
-  Json options;            // resolved
-  std::string content;     // hash of the sequence
-  std::string detections;  // DetectionsHash
-  Json given;              // GivenToJson
-  std::uint64_t seed = 0;
-};
-
-// Jobs with the same identity have the same result.
-std::string JobIdentity(const Job& job);
 
 // Hash of the boxes that the estimator is given, whichever file they came from.
 std::string DetectionsHash(const Sequence& sequence);
@@ -53,6 +35,9 @@ struct ImageHashes {
 // parameters of the sequence, but not their location. `images` has one element per frame of the
 // sequence.
 std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>& images);
+
+// Returns the hash of these images alone; empty if there are none.
+std::string ImagesHash(const std::vector<ImageHashes>& images);
 
 // Returns the parameters of the camera in the order of their declaration, without right_field_px,
 // which is an estimate and not an input.

@@ -191,7 +191,8 @@ reports::CameraInfo CameraOf(const StereoCamera& camera) {
           camera.cx,       camera.cy,        camera.baseline_m, camera.right_shift_px};
 }
 
-Json ResultJson(const reports::RunSummary& summary, const Json& details) {
+Json ResultJson(reports::RunSummary summary, const Json& details) {
+  summary.checksum = ChecksumOf(summary);
   Json json = FileJson(summary);
   json.update(details);
   return json;
@@ -205,6 +206,7 @@ void WriteResultFile(const RunResult& run, const TextSink& sink) {
   summary.variant = run.variant.name;
   summary.seed = run.seed;
   summary.sequence = SequenceOf(run.sequence, run.content, run.warnings);
+  summary.sequence.images = run.images_hash;
   summary.options = ResolvedOptions(run.options);
   summary.given = Given(run.sequence, run.classes, run.oracle);
   summary.detection_counts = DetectionsToJson(run.detections);

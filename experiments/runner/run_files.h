@@ -57,7 +57,7 @@ reports::RunSequence SequenceOf(const Sequence& sequence, const std::string& con
 reports::CameraInfo CameraOf(const StereoCamera& camera);
 
 // Content of a result.json: the summary, followed by details that only some readers need.
-Json ResultJson(const reports::RunSummary& summary, const Json& details);
+Json ResultJson(reports::RunSummary summary, const Json& details);
 
 // Calibration of the last frame that has an estimate of it. Empty if there is none.
 std::optional<CalibrationReport> LastCalibration(const RunResult& run);

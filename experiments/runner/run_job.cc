@@ -156,9 +156,10 @@ std::vector<ImageHashes> ImagesOf(const RunRequest& request) {
 }
 
 std::string JobOf(const RunRequest& request, const std::string& content) {
-  return JobIdentity({ThisBuild().identity, std::string(request.variant.name),
-                      ResolvedOptions(request.options), content, DetectionsHash(request.sequence),
-                      Given(request.sequence, request.classes, request.oracle), request.seed});
+  return reports::JobIdentity(
+      {ThisBuild().identity, std::string(request.variant.name), ResolvedOptions(request.options),
+       content, DetectionsHash(request.sequence),
+       Given(request.sequence, request.classes, request.oracle), request.seed});
 }
 
 }  // namespace
@@ -227,6 +228,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   // The identity of what was read does not depend on how far the run got.
   if (hashes.size() < sequence.images.size()) hashes = ImagesOf(request);
   result.content = ContentHash(sequence, hashes);
+  result.images_hash = ImagesHash(hashes);
   result.job = JobOf(request, result.content);
   return result;
 }

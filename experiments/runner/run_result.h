@@ -80,7 +80,8 @@ struct RunResult : RunRequest {
   RunStatus status = RunStatus::kOk;
   std::string message;  // empty if ok
   std::string content;  // hash of the sequence: images, text files and parameters
-  std::string job;      // JobIdentity
+  std::string images_hash;
+  std::string job;  // JobIdentity
   std::vector<FrameRecord> frames;
   std::vector<ClusterTrajectory> clusters;  // as last estimated, by id; empty if it failed
   DetectionCounts detections;

@@ -268,8 +268,8 @@ Json HashesOf(const SystemFiles& files) {
 // The whole build is part of the identity: the readers of the ground truth and the geometry needed
 // for scoring are among the estimator's sources.
 std::string SystemJob(const SystemRequest& request, const Json& hashes) {
-  return JobIdentity({ThisBuild().identity, reports::SystemVariant(request.files.name), hashes,
-                      request.content, "", GivenToJson({}, {}), request.seed});
+  return reports::JobIdentity({ThisBuild().identity, reports::SystemVariant(request.files.name),
+                               hashes, request.content, "", GivenToJson({}, {}), request.seed});
 }
 
 // Returns the content of result.json, of kind "run" like that of an own run. Poses are the system's
@@ -288,6 +288,7 @@ std::string ResultOf(const SystemRequest& request, const SystemOutcome& outcome)
   summary.seed = request.seed;
   summary.sequence =
       SequenceOf(request.sequence, request.content, FindImplausible(request.sequence));
+  summary.sequence.images = request.images;
   summary.sequence.camera.right_shift_px = request.right_shift_px;
   summary.given = GivenToJson({}, {});
   summary.build = ThisBuild();

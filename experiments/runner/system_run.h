@@ -45,6 +45,7 @@ struct SystemRequest {
   SystemFiles files;
   std::uint64_t seed = 0;       // of the rendered scene, to compare with runs on it
   double right_shift_px = 0.0;  // correction given to the system, not the sequence's own
+  std::string images = {};      // ImagesHash of the sequence
 };
 
 struct SystemOutcome : SystemEstimate {

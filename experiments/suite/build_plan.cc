@@ -234,7 +234,7 @@ class Planner {
     }
     const VariantAtPoint& resolved = ResolvedOf(job);
     job.input = Sha256Hex(input.content + resolved.front_end);
-    job.job = JobIdentity(
+    job.job = reports::JobIdentity(
         {ThisBuild().identity, job.variant, resolved.json, input.content, input.detections,
          Given(input.sequence, ClassesOf(SequenceOf(job)), OracleOf(job.oracle)), job.seed});
   }

@@ -92,10 +92,12 @@ void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
 
 void RunSystem(const Plan& plan, const PlanJob& job, const Sequence& sequence,
                const fs::path& cache, const JobFolder& folder) {
+  const std::vector<ImageHashes> images = RenderedHashes(sequence);
   const SystemRequest request{.sequence = sequence,
-                              .content = ContentHash(sequence, RenderedHashes(sequence)),
+                              .content = ContentHash(sequence, images),
                               .files = SystemFilesOf(plan.suite, job, plan.data, cache),
-                              .seed = job.seed};
+                              .seed = job.seed,
+                              .images = ImagesHash(images)};
   folder.CheckIdentity(IdentifySystem(request), sequence);
   WriteFilesAtomically(folder.path(), {{"result.json", ScoreSystem(request).result}});
 }

@@ -70,15 +70,6 @@ std::string Capitalised(std::string text) {
   return text;
 }
 
-std::string Listed(const std::vector<std::string>& texts) {
-  std::string list;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
-    const char* separator = i == 0 ? "" : i + 1 == texts.size() ? " and " : ", ";
-    list += StrCat(separator, texts[i]);
-  }
-  return list;
-}
-
 std::string Slug(const std::string& text) {
   std::string slug;
   for (const char c : text) {
@@ -104,8 +95,9 @@ std::string RelationText(const std::vector<const Column*>& columns) {
     const std::string relation = RelationText(column->contract);
     AddOnce(column->label, FindOrAdd(groups, &Group::first, {relation, {}}).second);
   }
-  return Joined(groups, "; ",
-                [](const Group& group) { return StrCat(Listed(group.second), ": ", group.first); });
+  return Joined(groups, "; ", [](const Group& group) {
+    return StrCat(Joined(group.second, ", "), ": ", group.first);
+  });
 }
 
 std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns) {
@@ -117,10 +109,7 @@ std::string IntervalText(const Table& table, const std::vector<std::size_t>& col
     }
   }
   if (meanings.empty()) return "No intervals: there is nothing to resample.";
-  constexpr std::size_t kMost = 3;
-  const bool more = meanings.size() > kMost;
-  if (more) meanings.resize(kMost);
-  return StrCat("Intervals: ", Joined(meanings, "; "), more ? "; others in the table." : ".");
+  return StrCat("Intervals: ", Joined(meanings, "; "), ".");
 }
 
 Palette::Palette(const std::vector<std::string>& names) {

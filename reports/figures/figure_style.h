@@ -47,8 +47,6 @@ std::string IntervalText(const Table& table, const std::vector<std::size_t>& col
 
 // Makes the first letter upper case.
 std::string Capitalised(std::string text);
-// Joins texts to a list: "a", "a and b", "a, b and c".
-std::string Listed(const std::vector<std::string>& texts);
 
 // Reduces a text to lower-case letters, digits and "-", for file names. At most 80 characters.
 std::string Slug(const std::string& text);

@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cstdlib>
-#include <limits>
 #include <map>
 
 #include "core/base/error.h"
@@ -79,26 +77,9 @@ std::vector<Datum> ErrorsOf(const std::vector<BodyPosition>& positions, const Er
   return track.data;
 }
 
-// A mark at a frame, at the height of the error in that frame or in the nearest one that has one.
-Datum MarkAt(int frame, const BodyDetail& body, const ErrorScale& scale) {
-  Datum mark{static_cast<double>(frame), std::numeric_limits<double>::quiet_NaN()};
-  int nearest = std::numeric_limits<int>::max();
-  for (const auto* positions : {&body.estimated, &body.predicted}) {
-    for (const BodyPosition& position : *positions) {
-      const int distance = std::abs(position.frame - frame);
-      if (distance >= nearest) continue;
-      mark.y = scale.Shown(position.error_m);
-      nearest = distance;
-    }
-  }
-  return mark;
-}
-
-using Legend = std::map<std::string, Look>;  // what panels contain beside the lines of runs
-
 // Adds what one run estimates of a body.
 void AddRun(const DrawnRun& run, const BodyDetail& body, const ErrorScale& scale, Look look,
-            Panel& panel, Legend& legend) {
+            Panel& panel) {
   if (!body.estimated.empty()) {
     const double rmse = RootMeanSquare(body.estimated, &BodyPosition::error_m).value();
     panel.series.push_back(
@@ -110,15 +91,6 @@ void AddRun(const DrawnRun& run, const BodyDetail& body, const ErrorScale& scale
   if (!body.predicted.empty()) {
     panel.series.push_back({SeriesKind::kLine, "", look, ErrorsOf(body.predicted, scale),
                             run.variant + ", predicted"});
-    legend["predicted"] = {0, Symbol::kNone, kDotted};
-  }
-  look.symbol = Symbol::kCross;
-  for (const IdentitySwitch& change : run.switches) {
-    if (change.body != body.id) continue;
-    Datum mark = MarkAt(change.frame, body, scale);
-    mark.tip = StrCat(run.variant, ": identity switch in frame ", change.frame);
-    panel.series.push_back({SeriesKind::kPoints, "", look, {std::move(mark)}});
-    legend["identity switch"] = {0, Symbol::kCross};
   }
 }
 
@@ -140,7 +112,6 @@ Figure ErrorFigure(const DrawnScene& scene, const std::vector<const BodyDetail*>
   const ErrorScale scale = ScaleOf(scene, bodies);
   Chart chart;
   chart.share_x = true;
-  Legend legend;
   for (const BodyDetail* drawn : bodies) {
     Panel& panel = chart.panels.emplace_back();
     panel.x.title = "frame";
@@ -151,13 +122,8 @@ Figure ErrorFigure(const DrawnScene& scene, const std::vector<const BodyDetail*>
     panel.shades = HiddenSpans(*drawn);
     for (const DrawnRun* run : scene.runs) {
       const BodyDetail* body = FindBody(*run, drawn->id);
-      if (body != nullptr) AddRun(*run, *body, scale, palette.Line(run->variant), panel, legend);
+      if (body != nullptr) AddRun(*run, *body, scale, palette.Line(run->variant), panel);
     }
-  }
-  for (const auto& [name, look] : legend) {
-    const bool line = look.symbol == Symbol::kNone;
-    chart.panels.back().series.push_back(
-        {line ? SeriesKind::kLine : SeriesKind::kPoints, name, look, {}});
   }
   std::string caption =
       "Dotted: predicted by the motion model alone. Gaps: no estimate that counts. Shaded: the "

@@ -48,11 +48,6 @@ void ReadDrawn(DrawnRun drawn, const std::filesystem::path& folder, SuiteData& d
     drawn.detail = ReadRunDetail(folder);
     data.drawn.push_back(drawn);
     for (const std::string& missing : drawn.detail.missing) add(missing);
-    if (drawn.detail.bodies.empty()) return;
-    const std::filesystem::path landmarks = folder / "landmarks.csv";
-    if (!std::filesystem::exists(landmarks)) return add("landmarks.csv: no such file");
-    data.drawn.back().switches =
-        IdentitySwitches(ReadLandmarks(landmarks, LandmarkLabel::kCluster), drawn.detail.bodies);
   } catch (const Error& error) {
     add(error.what());
   }

@@ -20,7 +20,6 @@ struct DrawnRun {
   std::uint64_t seed = 0;
   std::string job;
   RunDetail detail;
-  std::vector<IdentitySwitch> switches;
 };
 
 // Everything that figures are made of.

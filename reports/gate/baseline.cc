@@ -6,8 +6,10 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/files/sha256.h"
 #include "core/record/metric_catalogue.h"
 #include "core/record/run_summary.h"
+#include "reports/gate/check_runs.h"
 #include "reports/tables/cells.h"
 
 namespace cvo::reports {
@@ -21,7 +23,9 @@ void CheckJobs(const Baseline& baseline, const std::string& where) {
     if (FindEntry(metric.name) == nullptr) {
       ThrowError(where + ", metric " + metric.name, "no rule", "a metric that the gate knows");
     }
-    metrics.insert(metric.name);
+    if (!metrics.insert(metric.name).second) {
+      ThrowError(where + ", metrics", metric.name + " twice", "each metric once");
+    }
   }
   std::set<std::pair<RunKeys, std::uint64_t>> seen;
   std::size_t values = 0;
@@ -43,6 +47,31 @@ void CheckJobs(const Baseline& baseline, const std::string& where) {
     values += job.values.size();
   }
   if (values == 0) ThrowError(where, "no value", "something to hold runs against");
+  for (const std::uint64_t seed : baseline.seeds) {
+    if (FindBy(baseline.jobs, &BaselineJob::seed, seed) != nullptr) continue;
+    ThrowError(where + ", field seeds", StrCat(seed), "seeds of its jobs");
+  }
+  if (baseline.seeds.empty()) {
+    ThrowError(where + ", field seeds", "none", "the seeds that checked runs must have");
+  }
+}
+
+std::string ChecksumOf(Baseline baseline) {
+  baseline.checksum.clear();
+  return Sha256Hex(FileText(baseline));
+}
+
+// Returns the options that all runs share.
+std::map<std::string, std::string> SharedOptions(const GateRuns& runs) {
+  std::map<std::string, std::string> shared = FlatJson(runs.runs.front().run->options);
+  for (const SuiteRun& run : runs.runs) {
+    const std::map<std::string, std::string> options = FlatJson(run.run->options);
+    std::erase_if(shared, [&](const auto& option) {
+      const auto found = options.find(option.first);
+      return found == options.end() || found->second != option.second;
+    });
+  }
+  return shared;
 }
 
 std::vector<std::uint64_t> GateSeeds(const GateRuns& runs, std::size_t gate_seeds,
@@ -101,6 +130,7 @@ BaselineJob MakeJob(const SuiteRun& run) {
                   .seed = run.planned.seed,
                   .type = sequence.type,
                   .content = sequence.content,
+                  .images = sequence.images,
                   .frames = sequence.frames,
                   .status = run.state,
                   .values = {}};
@@ -113,6 +143,10 @@ BaselineJob MakeJob(const SuiteRun& run) {
 Baseline ReadBaseline(const fs::path& file) {
   auto baseline = ReadRecord<Baseline>(file);
   CheckJobs(baseline, file.string());
+  if (!baseline.checksum.empty() && baseline.checksum != ChecksumOf(baseline)) {
+    ThrowError(file.string(), "a content that does not fit its checksum",
+               "a baseline as check --write-baseline wrote it");
+  }
   return baseline;
 }
 
@@ -141,7 +175,10 @@ Baseline MakeBaseline(const fs::path& folder, std::size_t gate_seeds) {
   baseline.suite = runs.suite;
   baseline.build = {build.identity, build.commit, build.Platform()};
   baseline.seeds = GateSeeds(runs, gate_seeds, folder.string());
+  baseline.options = SharedOptions(runs);
   baseline.metrics = CollectMetrics(runs, folder.string());
+  baseline.checksum = ChecksumOf(baseline);
+  CheckSensitivity(baseline, folder.string());
   return baseline;
 }
 

@@ -31,11 +31,13 @@ struct BaselineJob {
   std::string type;  // dataset type
   // Hash of its images; distinguishes a different rendering from a different estimate.
   std::string content;
+  std::string images;                    // RunSequence::images; absent from older files
   std::optional<int> frames;             // of the run; absent from older files
   std::string status;                    // "ok" or "lost"
   std::map<std::string, double> values;  // by metric, without those that the run lacks
 
-  CVO_RECORD(CVO_FIELD(keys, seed, type, content) CVO_OPTIONAL(frames) CVO_FIELD(status, values));
+  CVO_RECORD(CVO_FIELD(keys, seed, type, content) CVO_OPTIONAL(images, frames)
+                 CVO_FIELD(status, values));
 };
 
 struct BaselineBuild {
@@ -56,14 +58,19 @@ struct Baseline {
   // Seeds that must be among the checked runs. The others only serve to estimate the spread between
   // seeds.
   std::vector<std::uint64_t> seeds;
+  // Those that all its runs share, as JSON texts by path; absent from older files.
+  std::map<std::string, std::string> options;
   std::vector<BaselineMetric> metrics;
   std::vector<BaselineJob> jobs;
+  std::string checksum;  // ChecksumOf; absent from older files
 
-  CVO_FIELDS(suite, build, seeds, metrics, jobs);
+  CVO_RECORD(CVO_FIELD(suite, build, seeds) CVO_OPTIONAL(options) CVO_FIELD(metrics, jobs)
+                 CVO_OPTIONAL(checksum));
 };
 
 // Throws Error naming the file and the field for another schema, an incomplete file, an unknown
-// metric, a duplicate job, or no values to compare.
+// metric, a job or metric that is there twice, no seed or no values to compare, and another
+// checksum.
 Baseline ReadBaseline(const std::filesystem::path& file);
 
 // Returns the text of its file with one line per metric and per run, so that an updated file
@@ -72,7 +79,8 @@ std::string BaselineText(const Baseline& baseline);
 
 // Makes a baseline from a folder that a suite was run to. `gate_seeds` is how many of its seeds,
 // the lowest first, must be among checked runs (0: all). Throws Error naming the obstacle: a job
-// that is not done, contracts that differ, fewer than two seeds, or no metric.
+// that is not done, contracts that differ, fewer than two seeds, no metric, or a gate that sees too
+// little (CheckSensitivity).
 Baseline MakeBaseline(const std::filesystem::path& folder, std::size_t gate_seeds = 0);
 
 // The runs of a folder that the gate considers: those of the program's own variants.

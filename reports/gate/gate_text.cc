@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -10,13 +9,13 @@
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 #include "reports/gate/check_runs.h"
+#include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
 namespace {
 
 using TextRows = std::vector<std::vector<std::string>>;  // the first is the header
 
-constexpr std::size_t kNearest = 5;
 constexpr std::size_t kMaxProblems = 20;
 
 std::vector<std::string> Cells(const Comparison& comparison) {
@@ -25,48 +24,28 @@ std::vector<std::string> Cells(const Comparison& comparison) {
           comparison.metric + (comparison.unit == "1" ? "" : " (" + comparison.unit + ")"),
           FormatGeneral(comparison.baseline, 4),
           FormatGeneral(comparison.now, 4),
-          FormatSigned(comparison.difference(), 3),
-          FormatGeneral(comparison.tolerance, 3),
+          comparison.relative ? FormatSigned(100.0 * comparison.change(), 3) + " %"
+                              : FormatSigned(comparison.change(), 3),
+          ToleranceText(comparison),
           StrCat(comparison.pairs),
           NameOf(comparison.verdict)};
 }
 
-// The comparisons that moved beyond their tolerance and then, of the rest, those over all scenes
-// that came nearest to it.
+// The comparisons that moved beyond their tolerance.
 TextRows MovedRows(const GateReport& report) {
-  TextRows rows = {{"variant", "scene", "metric", "baseline", "now", "difference", "tolerance",
-                    "pairs", "verdict"}};
+  TextRows rows = {
+      {"variant", "scene", "metric", "baseline", "now", "change", "tolerance", "pairs", "verdict"}};
   for (const Verdict verdict : {Verdict::kWorse, Verdict::kBetter}) {
     for (const Comparison& comparison : report.comparisons) {
       if (comparison.verdict == verdict) rows.push_back(Cells(comparison));
     }
   }
-  std::vector<Comparison> within = report.comparisons;
-  std::erase_if(within, [](const Comparison& comparison) {
-    return comparison.verdict != Verdict::kWithin || !comparison.scene.empty();
-  });
-  std::stable_sort(within.begin(), within.end(), [](const Comparison& a, const Comparison& b) {
-    return std::abs(a.difference()) * b.tolerance > std::abs(b.difference()) * a.tolerance;
-  });
-  within.resize(std::min(within.size(), kNearest));
-  for (const Comparison& comparison : within) rows.push_back(Cells(comparison));
   return rows;
 }
 
 // Aligned columns after an empty line. Empty if there is only a header.
-std::string AlignedText(const TextRows& rows) {
-  if (rows.size() < 2) return "";
-  std::string text = "\n";
-  for (const std::vector<std::string>& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      std::size_t width = 0;
-      for (const auto& other : rows) width = std::max(width, Width(Printable(other[i])));
-      const std::string cell = Printable(row[i]);
-      text += cell;
-      text += i + 1 < row.size() ? std::string(width - Width(cell) + 2, ' ') : "\n";
-    }
-  }
-  return text;
+std::string BelowHeader(const TextRows& rows) {
+  return rows.size() < 2 ? "" : "\n" + AlignedText(rows);
 }
 
 std::string ListText(const char* title, const std::vector<std::string>& lines) {
@@ -82,10 +61,36 @@ std::string Headline(const GateReport& report) {
                 report.Count(Verdict::kWorse), " worse, ", report.Count(Verdict::kBetter),
                 " better, ", report.Count(Verdict::kWithin), " within tolerance, ",
                 report.Count(Verdict::kSame), " the same",
+                report.exact > 0 ? StrCat("; ", report.exact - report.changed, " of ", report.exact,
+                                          " values equal to the last bit")
+                                 : "",
                 report.problems.empty() ? "" : ", " + Counted(report.problems.size(), "problem"));
 }
 
 }  // namespace
+
+std::string ToleranceText(const Comparison& comparison) {
+  return comparison.relative ? FormatGeneral(100.0 * comparison.tolerance, 3) + " %"
+                             : FormatGeneral(comparison.tolerance, 3);
+}
+
+std::string NoticedText(const Baseline& baseline) {
+  TextRows rows = {{"metric", "noticed from", "variant", "value"}};
+  std::vector<Comparison> most;  // of each metric
+  for (const Comparison& comparison : NoticedBy(baseline)) {
+    if (comparison.verdict == Verdict::kBlind) continue;
+    Comparison& known = FindOrAdd(most, &Comparison::metric, comparison);
+    if (comparison.tolerance > known.tolerance) known = comparison;
+  }
+  for (const Comparison& comparison : most) {
+    rows.push_back({comparison.metric, ToleranceText(comparison), comparison.variant,
+                    FormatGeneral(comparison.baseline, 4)});
+  }
+  return "smallest change for the worse on every scene that a check on another platform notices, "
+         "of "
+         "the variant that needs most:\n" +
+         BelowHeader(rows);
+}
 
 std::string GateVerdict(const GateReport& report) {
   return report.Regressed() ? "regression" : report.Failed() ? "changed" : "no regression";
@@ -99,11 +104,11 @@ std::string GateText(const GateReport& report) {
   }
   if (report.changed > 0) {
     problems.insert(problems.begin(),
-                    StrCat(report.changed, " of ", report.comparisons.size(),
+                    StrCat(report.changed, " of ", report.exact,
                            " values differ from the baseline: the estimator changed; if this is "
                            "intended, update the baseline"));
   }
-  return StrCat(Headline(report), "\n", AlignedText(MovedRows(report)),
+  return StrCat(Headline(report), "\n", BelowHeader(MovedRows(report)),
                 ListText("problems", problems), ListText("notes", report.notes));
 }
 

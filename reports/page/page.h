@@ -89,10 +89,7 @@ std::string HtmlDocument(const std::string& title, const std::string& body);
 std::string_view PageStyle();
 std::string_view PageScript();
 
-// What the suite compared, and what differs from the reference of its table.
+// What the suite compared.
 std::string SummarySection(const PageContent& content);
-
-// What differs between the rows of a table and their reference.
-std::string FindingsHtml(const Table& table, const std::string& reference);
 
 }  // namespace cvo::reports

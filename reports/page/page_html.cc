@@ -11,13 +11,10 @@
 #include "core/record/metric_catalogue.h"
 #include "reports/figures/figure_style.h"
 #include "reports/page/page.h"
-#include "reports/statistics/estimate.h"
 #include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
 namespace {
-
-constexpr std::size_t kShownJobs = 200;
 
 // The hash by which a Content-Security-Policy names the only script that may run.
 std::string ScriptSource() {
@@ -97,30 +94,10 @@ std::string FramesSection(const PageContent& content) {
   return html + ListHtml("Runs without images", without) + "</section>\n";
 }
 
-std::string JobsWithoutValue(const std::vector<SuiteRun>& runs) {
-  std::vector<std::string> lines;
-  for (const char* state : {"failed", "lost", "not run", "no data"}) {
-    for (const SuiteRun& run : runs) {
-      if (run.state != state) continue;
-      std::string line = StrCat(state, ":");
-      for (const auto& [key, value] : run.planned.keys) {
-        if (value != "none") line += StrCat(" ", key, " ", value, ",");
-      }
-      lines.push_back(StrCat(line, " seed ", run.planned.seed,
-                             run.message.empty() ? "" : ": " + run.message,
-                             run.log.empty() ? "" : " (log: " + run.log + ")"));
-    }
-  }
-  if (lines.size() > kShownJobs) {
-    const std::size_t more = lines.size() - kShownJobs;
-    lines.resize(kShownJobs);
-    lines.push_back(StrCat("and ", more, " more"));
-  }
-  return ListHtml("Runs that failed, are missing or lost the camera", lines);
-}
-
 std::string MissingSection(const PageContent& content) {
-  std::string html = JobsWithoutValue(content.runs) +
+  const std::vector<std::string> problems =
+      content.table ? ProblemTexts(*content.table) : std::vector<std::string>();
+  std::string html = ListHtml("Runs that failed, are missing or lost the camera", problems) +
                      ListHtml("Missing or unreadable files", content.missing) +
                      ListHtml("Not shown in figures", content.drawing.not_drawn);
   if (html.empty()) html = "<p>Nothing is missing.</p>\n";
@@ -218,7 +195,7 @@ std::string CellHtml(const CellText& cell, const std::optional<double>& number) 
   html += Span("value", cell.Shown());
   if (cell.distinguishable) html += "<abbr class=\"star\" title=\"significant\">*</abbr>";
   return html + Span("small", cell.interval) + Span("small", cell.percent) +
-         Span("small", cell.percent_interval) + Span("reason", cell.note) + "</td>";
+         Span("reason", cell.note) + "</td>";
 }
 
 // The keys of a row are header cells; the other texts at the left are not. Figures of others stay
@@ -268,17 +245,6 @@ std::string Folded(const std::string& summary, const std::vector<std::string>& l
                 "</details>\n");
 }
 
-std::string RuleText(const std::string& reference) {
-  return StrCat(
-      "Differences are relative to ", reference,
-      ", over the pairs that both have. A difference is considered significant if its 95 % "
-      "interval does not contain 0, its p-value, corrected for the number of comparisons in the "
-      "table (Holm), is below 0.05, and there are at least ",
-      kMinPairs,
-      " pairs. Intervals cover the variation over scenes; where a row has only one scene, "
-      "over its bodies.");
-}
-
 }  // namespace
 
 std::string ResultTable(const Table& table, const std::string& id) {
@@ -289,26 +255,6 @@ std::string ResultTable(const Table& table, const std::string& id) {
          Folded("Notes: what each value is based on, and how values are compared",
                 texts.footnotes) +
          Folded("Definitions of the columns", texts.definitions);
-}
-
-std::string FindingsHtml(const Table& table, const std::string& reference) {
-  std::string html;
-  for (const Row& row : table.rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const auto& difference = row.cells[i].difference;
-      if (!difference || !difference->distinguishable) continue;
-      const Column& column = table.columns[i];
-      const bool higher = ShownAs(column.metric, column.unit).higher_is_better;
-      const char* verdict = (difference->difference > 0.0) == higher ? "better" : "worse";
-      html += StrCat("<li class=\"", verdict, "\"><strong>", Escaped(RowLabel(row)),
-                     "</strong>: ", Escaped(NameOf(column, table)), " <span class=\"verdict\">",
-                     verdict, "</span>, ", Escaped(QuantityText(difference->value, column)),
-                     " instead of ", Escaped(QuantityText(difference->reference_value, column)),
-                     " with ", Escaped(reference), ".</li>\n");
-    }
-  }
-  return html.empty() ? "<p>No difference is significant.</p>\n"
-                      : StrCat("<ul class=\"findings\">\n", html, "</ul>\n");
 }
 
 std::string SummarySection(const PageContent& content) {
@@ -325,8 +271,8 @@ std::string SummarySection(const PageContent& content) {
   if (table.reference.empty()) {
     return html + "<p>No row is the reference, so no differences are reported.</p>\n</section>\n";
   }
-  html += "<h2>Significant differences</h2>\n" + Element("p", RuleText(table.reference)) + "\n";
-  return html + FindingsHtml(table, table.reference) + "</section>\n";
+  return html + Element("p", "Differences are relative to " + table.reference + ".") +
+         "\n</section>\n";
 }
 
 }  // namespace cvo::reports

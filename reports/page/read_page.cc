@@ -78,7 +78,6 @@ void ForgetFolder(const std::string& folder, PageContent& content) {
   for (auto* texts : {&content.problems, &content.drawing.not_drawn, &content.missing}) {
     std::for_each(texts->begin(), texts->end(), forget);
   }
-  for (SuiteRun& run : content.runs) forget(run.message);
   if (!content.table) return;
   for (Problem& problem : content.table->problems) forget(problem.message);
 }

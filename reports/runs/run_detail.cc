@@ -104,21 +104,6 @@ void ReadTiming(const fs::path& file, RunDetail& detail) {
   detail.timing.frames = Json::array();
 }
 
-// Returns the cluster with most landmarks; -1 if none has enough. On a tie, the last one wins, else
-// the lower id.
-std::int64_t BestCluster(const std::map<std::int64_t, int>& landmarks, std::int64_t last) {
-  constexpr int kMinObservedLandmarks = 3;
-  std::int64_t best = -1;
-  int most = kMinObservedLandmarks - 1;
-  for (const auto& [cluster, count] : landmarks) {
-    if (count > most || (count == most && best != -1 && cluster == last)) {
-      best = cluster;
-      most = count;
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 std::vector<ObjectRow> ReadObjects(const fs::path& file) {
@@ -139,27 +124,6 @@ LandmarksByFrame ReadLandmarks(const fs::path& file, LandmarkLabel label) {
                                     row.truth_body.value_or(-1), false});
   });
   return landmarks;
-}
-
-std::vector<IdentitySwitch> IdentitySwitches(const LandmarksByFrame& landmarks,
-                                             const std::vector<BodyDetail>& bodies) {
-  std::vector<IdentitySwitch> switches;
-  for (const BodyDetail& body : bodies) {
-    std::int64_t last = -1;
-    for (const int frame : body.visible) {
-      const auto seen = landmarks.find(frame);
-      if (seen == landmarks.end()) continue;
-      std::map<std::int64_t, int> counts;  // by cluster
-      for (const LabelledLandmark& landmark : seen->second) {
-        if (landmark.truth_body == body.id && landmark.label > 0) ++counts[landmark.label];
-      }
-      const std::int64_t best = BestCluster(counts, last);
-      if (best == -1) continue;
-      if (last != -1 && best != last) switches.push_back({frame, body.id, last, best});
-      last = best;
-    }
-  }
-  return switches;
 }
 
 RunDetail ReadRunDetail(const fs::path& run_folder) {

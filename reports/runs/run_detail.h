@@ -85,23 +85,9 @@ RunDetail ReadRunDetail(const std::filesystem::path& run_folder);
 std::vector<ObjectRow> ReadObjects(const std::filesystem::path& file);
 LandmarksByFrame ReadLandmarks(const std::filesystem::path& file, LandmarkLabel label);
 
-// A frame in which a body's landmarks belong to another cluster than the last time they belonged to
-// one.
-struct IdentitySwitch {
-  int frame = 0;
-  int body = 0;
-  std::int64_t from = 0;  // ids of clusters
-  std::int64_t to = 0;
-};
-
-// The switches as the metric object_id_switches counts them, over visible frames.
-std::vector<IdentitySwitch> IdentitySwitches(const LandmarksByFrame& landmarks,
-                                             const std::vector<BodyDetail>& bodies);
-
 // Times of a suite's runs as texts; values are medians over the runs of a row.
 struct SuiteTimes {
-  // Header first, rows in the order of the plan. The last column is the time per frame divided by
-  // that of the first row with the same scenes and variant.
+  // Header first, rows in the order of the plan.
   std::vector<std::vector<std::string>> table;
   std::vector<std::string> machines;  // distinct processors with their numbers of threads
 };

@@ -63,15 +63,11 @@ void AddRun(const fs::path& run_folder, const TimingData& timing, TimedRuns& run
   }
 }
 
-// `first`: the row that the time is relative to.
-std::vector<std::string> RowOf(const TimedRuns& runs, const TimedRuns& first) {
+std::vector<std::string> RowOf(const TimedRuns& runs) {
   std::vector<std::string> row = runs.keys;
-  const double frames_per_s = Median(runs.frames_per_s);
   row.insert(row.end(), {StrCat(runs.frames_per_s.size()), FormatFixed(Median(runs.clusters), 1),
-                         FormatFixed(frames_per_s, 1)});
+                         FormatFixed(Median(runs.frames_per_s), 1)});
   for (const auto& stage_ms : runs.stages_ms) row.push_back(FormatFixed(Median(stage_ms), 2));
-  row.push_back(frames_per_s > 0.0 ? FormatFixed(Median(first.frames_per_s) / frames_per_s, 2)
-                                   : "");
   return row;
 }
 
@@ -101,15 +97,8 @@ SuiteTimes ReadSuiteTimes(const fs::path& folder) {
   header.insert(header.end(), options.begin(), options.end());
   header.insert(header.end(), {"runs", "clusters per frame", "frames/s"});
   for (const StageColumn& column : kColumns) header.push_back(StrCat(column.name, " [ms]"));
-  header.emplace_back("time relative to the variant's first row on the same scene");
   times.table = {header};
-  const auto scene_and_variant = [](const TimedRuns& runs) {
-    return std::pair(runs.keys[0], runs.keys[2]);
-  };
-  for (const TimedRuns& group : groups) {
-    times.table.push_back(
-        RowOf(group, *FindBy(groups, scene_and_variant, scene_and_variant(group))));
-  }
+  for (const TimedRuns& group : groups) times.table.push_back(RowOf(group));
   return times;
 }
 

@@ -107,17 +107,6 @@ std::optional<Range> MiddleRange(std::vector<double> values) {
   return Range{Quantile(values, tail), Quantile(values, 1.0 - tail)};
 }
 
-// The interval of the differences in percent of the reference. Empty if a reference is not
-// positive.
-std::optional<Range> PercentRange(const std::vector<std::array<double, 2>>& pairs) {
-  std::vector<double> percents;
-  for (const auto& [value, reference] : pairs) {
-    if (!(reference > 0.0)) return std::nullopt;
-    percents.push_back(100.0 * (value - reference) / reference);
-  }
-  return MiddleRange(std::move(percents));
-}
-
 // Fills in everything that needs no resampling.
 PairedEstimate Compare(const Strata& strata, const std::array<double, 2>& mean) {
   PairedEstimate estimate;
@@ -129,10 +118,6 @@ PairedEstimate Compare(const Strata& strata, const std::array<double, 2>& mean) 
   estimate.pairs = strata.of_scenes() ? strata.scenes : strata.bodies;
   const Differences differences = DifferencesOf(strata);
   estimate.p_value = PairedPValue(differences);
-  if (strata.scenes >= kMinPairs && estimate.reference > 0.0) {
-    estimate.scenes_for_10_percent =
-        PairsNeeded(differences, kPowerDifference * estimate.reference);
-  }
   return estimate;
 }
 
@@ -238,31 +223,23 @@ double StudentTail(double t, int degrees) {
   return std::max(Tail(std::atan(t / std::sqrt(static_cast<double>(degrees))), degrees), 0.0);
 }
 
-constexpr double kTwoSidedTail = 0.025;
-constexpr double kMissTail = 0.2;  // 80 % power
-
 struct Moments {
   double mean = 0.0;      // over strata
   double variance = 0.0;  // variance of that mean
-  double spread = 0.0;    // variance of a difference, averaged over strata with several
   int degrees = 0;
 };
 
 Moments MomentsOf(const Differences& differences) {
   Moments moments;
   const auto strata = static_cast<double>(differences.size());
-  double several = 0.0;
   for (const std::vector<double>& stratum : differences) {
     const auto n = static_cast<double>(stratum.size());
     moments.mean += MeanOf(stratum) / strata;
     if (stratum.size() < 2) continue;
     const double variance = SquaresAroundMean(stratum) / (n - 1.0);
     moments.variance += variance / n / (strata * strata);
-    moments.spread += variance;
     moments.degrees += static_cast<int>(stratum.size()) - 1;
-    several += 1.0;
   }
-  if (several > 0.0) moments.spread /= several;
   return moments;
 }
 
@@ -295,7 +272,6 @@ std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pair
   estimate.interval = MiddleRange(std::move(differences));
   if (estimate.reference > 0.0) {
     estimate.percent = 100.0 * estimate.difference / estimate.reference;
-    estimate.percent_interval = PercentRange(resampled);
   }
   return estimate;
 }
@@ -321,23 +297,6 @@ std::optional<double> PairedPValue(const Differences& differences) {
   const double error = std::sqrt(moments.variance);
   if (error == 0.0) return 0.0;
   return 2.0 * StudentTail(std::abs(moments.mean) / error, moments.degrees);
-}
-
-std::optional<std::size_t> PairsNeeded(const Differences& differences, double size) {
-  const Moments moments = MomentsOf(differences);
-  if (moments.degrees == 0) return std::nullopt;
-  const std::size_t strata = differences.size();
-  const auto needed = [&](std::size_t pairs) {
-    const int degrees = static_cast<int>(std::min<std::size_t>(pairs - strata, 1'000));
-    const double quantiles =
-        StudentQuantile(kTwoSidedTail, degrees) + StudentQuantile(kMissTail, degrees);
-    return quantiles * quantiles * moments.spread / (size * size);
-  };
-  constexpr std::size_t kMany = 1'000'000;
-  std::size_t pairs = std::max<std::size_t>(
-      strata + 1, static_cast<std::size_t>(std::min(needed(kMany), double{kMany})));
-  while (pairs < kMany && static_cast<double>(pairs) < needed(pairs)) ++pairs;
-  return pairs;
 }
 
 std::vector<double> HolmAdjusted(const std::vector<double>& p_values) {

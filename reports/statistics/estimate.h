@@ -45,10 +45,6 @@ struct Range {
 // interval says.
 inline constexpr std::size_t kMinPairs = 6;
 
-// The difference, as a fraction of the reference, for which a table states how many scenes are
-// needed to detect it.
-inline constexpr double kPowerDifference = 0.1;
-
 struct Estimate {
   double value = 0.0;
   std::optional<Range> interval;  // empty if nothing can be resampled
@@ -71,9 +67,7 @@ struct PairedEstimate {
   std::optional<Range> interval;
   // The difference in percent of the reference; empty if that is not positive.
   std::optional<double> percent;
-  std::optional<Range> percent_interval;
-  std::optional<double> p_value;                     // of no difference, uncorrected (PairedPValue)
-  std::optional<std::size_t> scenes_for_10_percent;  // to detect kPowerDifference (PairsNeeded)
+  std::optional<double> p_value;  // of no difference, uncorrected (PairedPValue)
   std::size_t scenes = 0;
   std::size_t bodies = 0;
   std::size_t pairs = 0;  // units resampled: scenes, or bodies of the only scene
@@ -88,11 +82,6 @@ using Differences = std::vector<std::vector<double>>;
 // Student's t, with as many degrees of freedom as there are differences minus strata. The only
 // difference of a stratum is taken as known exactly. Empty if no stratum has two differences.
 std::optional<double> PairedPValue(const Differences& differences);
-
-// The number of differences that are needed to detect a mean difference of `size` > 0 with a power
-// of 80 %, at 5 % two-sided, if each stratum has equally many and their spread stays the same.
-// Empty if no stratum has two differences.
-std::optional<std::size_t> PairsNeeded(const Differences& differences, double size);
 
 // Holm's step-down correction (1979) of p-values that are looked at together. Returns the adjusted
 // p-values in the order of the input: the probability that any true null hypothesis has an adjusted

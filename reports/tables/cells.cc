@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -103,6 +104,22 @@ std::optional<Part> PartOf(const BodyMetric& metric, const BodyRow& body) {
   return std::nullopt;
 }
 
+// The scenes of a row. One under several names has the first of them in statistics: scenes are told
+// apart by their images and what was done to these, where both are known.
+class SceneNames {
+ public:
+  const std::string& Of(const SuiteRun& run) {
+    const RunSequence& sequence = run.run->sequence;
+    const std::string name = SceneOf(run);
+    if (sequence.images.empty()) return names_.try_emplace(name, name).first->second;
+    const std::string changes = sequence.perturbation ? sequence.perturbation->dump() : "";
+    return names_.try_emplace(StrCat(sequence.images, changes), name).first->second;
+  }
+
+ private:
+  std::map<std::string, std::string> names_;
+};
+
 // The samples of a cell, and what is missing from them.
 struct Gathered {
   std::vector<Sample> samples;
@@ -122,15 +139,14 @@ const std::vector<BodyRow>& BodiesOf(const BodyMetric& metric, const RunSummary&
   return metric.form.causal ? run.bodies->causal : run.bodies->refined;
 }
 
-void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::string& repetition,
-                  Gathered& gathered) {
+void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::string& scene,
+                  const std::string& repetition, Gathered& gathered) {
   for (const BodyRow& body : BodiesOf(metric, *run.run)) {
     if (body.mover != metric.movers()) continue;
     ++gathered.bodies;
     const auto part = PartOf(metric, body);
     if (part)
-      gathered.samples.push_back(
-          {run.planned.family, SceneOf(run), BodyName(body), repetition, *part});
+      gathered.samples.push_back({run.planned.family, scene, BodyName(body), repetition, *part});
     if (!part) ++gathered.bodies_without;
   }
 }
@@ -138,19 +154,22 @@ void GatherBodies(const SuiteRun& run, const BodyMetric& metric, const std::stri
 Gathered Gather(const RowRuns& row, const std::vector<std::string>& keys, const Column& column,
                 const std::optional<BodyMetric>& body_metric, Cell& cell) {
   Gathered gathered;
+  SceneNames names;
   std::size_t index = 0;
   for (const SuiteRun* run : row.runs) {
     if (!run->run) continue;
     const MetricValue* metric = FindMetric(*run->run, column.metric);
-    const std::string repetition = RepetitionOf(*run, keys);
+    const std::string& scene = names.Of(*run);
+    const std::string repetition = StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys));
     const std::size_t before = gathered.samples.size();
-    if (metric != nullptr && body_metric) GatherBodies(*run, *body_metric, repetition, gathered);
+    if (metric != nullptr && body_metric) {
+      GatherBodies(*run, *body_metric, scene, repetition, gathered);
+    }
     if (metric != nullptr && !body_metric) {
-      gathered.samples.push_back(
-          {run->planned.family, SceneOf(*run), "", repetition, {metric->value}});
+      gathered.samples.push_back({run->planned.family, scene, "", repetition, {metric->value}});
     }
     if (gathered.samples.size() > before) {
-      gathered.scenes.insert(SceneOf(*run));
+      gathered.scenes.insert(scene);
       gathered.seeds.insert(run->planned.seed);
       cell.runs.push_back(index);
     } else {
@@ -225,23 +244,26 @@ const char* PairingText(const BodyMetric& metric) {
                             : "all visible object-frames";
 }
 
-void GatherPair(const SuiteRun& run, const SuiteRun& reference,
-                const std::optional<BodyMetric>& body_metric, const std::string& repetition,
-                const std::string& metric, std::vector<Sample>& samples) {
+// `place`: family, scene and repetition of the run.
+void GatherPair(const SuiteRun& run, const SuiteRun& reference, const Sample& place,
+                const std::optional<BodyMetric>& body_metric, const std::string& metric,
+                std::vector<Sample>& samples) {
   if (!body_metric) {
     const MetricValue* ours = FindMetric(*run.run, metric);
     const MetricValue* theirs = FindMetric(*reference.run, metric);
     if (ours == nullptr || theirs == nullptr) return;
-    samples.push_back(
-        {run.planned.family, SceneOf(run), "", repetition, {ours->value}, {theirs->value}});
+    samples.push_back(place);
+    samples.back().value = {ours->value};
+    samples.back().reference = {theirs->value};
     return;
   }
   for (const BodyRow& body : BodiesOf(*body_metric, *run.run)) {
     const BodyRow* other = FindBy(BodiesOf(*body_metric, *reference.run), &BodyRow::id, body.id);
     if (other == nullptr) continue;
     if (const auto pair = PairOf(*body_metric, body, *other)) {
-      samples.push_back({run.planned.family, SceneOf(run), BodyName(body), repetition, pair->first,
-                         pair->second});
+      samples.push_back(place);
+      samples.back().body = BodyName(body);
+      std::tie(samples.back().value, samples.back().reference) = *pair;
     }
   }
 }
@@ -256,9 +278,7 @@ Difference DifferenceOf(const PairedEstimate& estimate, const std::string& refer
   difference.difference = estimate.difference;
   difference.interval = ToInterval(estimate.interval, meaning);
   difference.percent = estimate.percent;
-  difference.percent_interval = ToInterval(estimate.percent_interval, meaning);
   difference.p_value = estimate.p_value;
-  difference.scenes_for_10_percent = estimate.scenes_for_10_percent;
   difference.pairs = estimate.pairs;
   difference.pairing = pairing;
   return difference;
@@ -298,12 +318,17 @@ std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& c
   const std::optional<BodyMetric> body_metric = FindBodyMetric(column.metric);
   std::vector<Sample> samples;
   std::set<std::uint64_t> seeds;
+  SceneNames names;
   for (const SuiteRun* run : rows.row.runs) {
     if (!run->run) continue;
     const std::string repetition = RepetitionOf(*run, rows.keys);
     const auto reference = references.find({SceneOf(*run), repetition});
     if (reference == references.end()) continue;
-    GatherPair(*run, *reference->second, body_metric, repetition, column.metric, samples);
+    Sample place;
+    place.family = run->planned.family;
+    place.scene = names.Of(*run);
+    place.repetition = StrCat(SceneOf(*run), " ", repetition);
+    GatherPair(*run, *reference->second, place, body_metric, column.metric, samples);
     seeds.insert(run->planned.seed);
   }
   const auto estimate =

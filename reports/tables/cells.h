@@ -45,11 +45,6 @@ std::string FullReference(const SuitePlan& plan);
 std::vector<std::string> PooledKeys(const std::vector<SuiteRun>& runs,
                                     const std::vector<std::string>& keys);
 
-// The columns for the trajectory of the camera, and those for moving bodies: the ablation of the
-// paper (its table 4), coverage, and identity.
-std::vector<std::string> CameraMetrics();
-std::vector<std::string> ObjectMetrics();
-
 // Inserts the coverage before each group of metrics that lacks it, since accuracy without coverage
 // favours whoever loses the hard parts.
 std::vector<std::string> WithCoverage(const std::vector<std::string>& metrics);

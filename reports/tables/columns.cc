@@ -154,19 +154,6 @@ std::vector<std::string> PooledKeys(const std::vector<SuiteRun>& runs,
   return texts;
 }
 
-std::vector<std::string> CameraMetrics() {
-  return {"camera_coverage",       "camera_ate",          "camera_rrpe_all_pairs",
-          "camera_trpe_all_pairs", "camera_rrpe_1_frame", "camera_trpe_1_frame",
-          "camera_t_drift",        "camera_r_drift"};
-}
-
-std::vector<std::string> ObjectMetrics() {
-  return {
-      "camera_ate",         "object_ate",       "object_rrpe_all_pairs", "object_trpe_all_pairs",
-      "object_motion_r",    "object_motion_t",  "object_success_10cm",   "object_coverage",
-      "object_id_switches", "moving_precision", "moving_recall"};
-}
-
 std::vector<std::string> WithCoverage(const std::vector<std::string>& metrics) {
   std::vector<std::string> all;
   const auto has = [](const std::vector<std::string>& names, const std::string& name) {

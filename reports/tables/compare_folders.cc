@@ -113,7 +113,7 @@ Table CompareFolders(const std::filesystem::path& before, const std::filesystem:
   const SuitePlan plan = ReadPlan(folder / "plan.json");
   const SuitePlan plan_before = ReadPlan(before / "plan.json");
   CheckSameRows(plan_before, plan);
-  const std::vector<std::string> metrics = MetricsOf(plan);
+  const std::vector<std::string> metrics = WithCoverage(plan.metrics);
   const std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);
   const std::vector<SuiteRun> runs_before = ReadRuns(before, plan_before, metrics);
   std::vector<SuiteRun> both = runs_before;
@@ -130,8 +130,6 @@ Table CompareFolders(const std::filesystem::path& before, const std::filesystem:
       rows, folder,
       [&](const RowRuns& row) { return FindBy(rows_before, &RowRuns::keys, row.keys); }, table);
   for (const std::string& note : OtherImages(runs_before, runs)) table.notes.push_back(note);
-  const std::set<std::string> levels = CpuLevels(both);
-  if (levels.size() > 1 && levels != CpuLevels(runs)) table.notes.push_back(CpuLevelNote(levels));
   NoteUnpaired(rows_before, rows, table);
   return table;
 }

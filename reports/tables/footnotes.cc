@@ -15,8 +15,6 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kShownProblems = 12;
-
 using Lines = std::vector<std::string>;
 
 // The label of a column, with its unit if several columns share the label.
@@ -44,28 +42,6 @@ class NamesByText {
   std::vector<Named> names_;
 };
 
-// A sequence that is missing is listed once, not once per variant and seed.
-void AddProblems(const Table& table, Lines& lines) {
-  Lines problems;
-  for (const Problem& problem : table.problems) {
-    if (problem.state == "not run") continue;
-    const std::string whose =
-        problem.state == "no data"
-            ? problem.sequence
-            : StrCat(problem.row, ", ", problem.sequence, ", seed ", problem.seed);
-    AddOnce(
-        StrCat(whose, ": ", problem.state, problem.message.empty() ? "" : ": " + problem.message,
-               problem.log.empty() ? "" : " (log: " + problem.log + ")"),
-        problems);
-  }
-  if (problems.size() > kShownProblems) {
-    const std::size_t more = problems.size() - kShownProblems;
-    problems.resize(kShownProblems);
-    problems.push_back(StrCat("and ", more, " more: table.json has all"));
-  }
-  lines.insert(lines.end(), problems.begin(), problems.end());
-}
-
 // Explains each split that occurs in the rows.
 void AddSplits(const Table& table, Lines& lines) {
   constexpr std::array<std::pair<const char*, const char*>, 4> kSplits = {
@@ -82,13 +58,10 @@ void AddSplits(const Table& table, Lines& lines) {
   }
 }
 
-// Also states how many scenes are needed to detect a small difference in any row: the statistical
-// power of the table.
 void AddIntervals(const Table& table, Lines& lines) {
   NamesByText meanings;
   NamesByText pairings;
   std::size_t differences = 0;
-  std::vector<std::size_t> needed(table.columns.size());
   for (const Row& row : table.rows) {
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const std::string name = ColumnName(table, i);
@@ -97,7 +70,6 @@ void AddIntervals(const Table& table, Lines& lines) {
       if (!difference) continue;
       differences += difference->adjusted_p_value ? 1 : 0;
       pairings.Add("compared on " + difference->pairing, name);
-      needed[i] = std::max(needed[i], difference->scenes_for_10_percent.value_or(0));
     }
   }
   meanings.Print("low..high, ", lines);
@@ -109,15 +81,6 @@ void AddIntervals(const Table& table, Lines& lines) {
         kMinPairs, " pairs"));
   }
   pairings.Print("", lines);
-  Lines needs;
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (needed[i] > 0) needs.push_back(StrCat(ColumnName(table, i), " ", needed[i]));
-  }
-  if (needs.empty()) return;
-  lines.push_back(
-      StrCat("scenes needed to detect a difference of ", 100.0 * kPowerDifference,
-             " % (80 % power, 5 % two-sided, uncorrected), for the row that needs most: ",
-             Joined(needs, ", ")));
 }
 
 // Adds the remarks about cells. Those that are the same for several rows are listed once.
@@ -210,9 +173,31 @@ std::string CountsText(const Counts& n) {
   return Joined(counts, ", ");
 }
 
+// A sequence that is missing is listed once, not once per variant and seed.
+std::vector<std::string> ProblemTexts(const Table& table) {
+  constexpr std::size_t kShown = 12;
+  Lines problems;
+  for (const Problem& problem : table.problems) {
+    const std::string whose =
+        problem.state == "no data"
+            ? problem.sequence
+            : StrCat(problem.row, ", ", problem.sequence, ", seed ", problem.seed);
+    AddOnce(
+        StrCat(whose, ": ", problem.state, problem.message.empty() ? "" : ": " + problem.message,
+               problem.log.empty() ? "" : " (log: " + problem.log + ")"),
+        problems);
+  }
+  if (problems.size() > kShown) {
+    const std::size_t more = problems.size() - kShown;
+    problems.resize(kShown);
+    problems.push_back(StrCat("and ", more, " more: table.json has all"));
+  }
+  return problems;
+}
+
 std::vector<std::string> Footnotes(const Table& table) {
-  Lines lines = {JobsText(table.jobs)};
-  AddProblems(table, lines);
+  Lines lines = ProblemTexts(table);
+  lines.insert(lines.begin(), JobsText(table.jobs));
   AddSplits(table, lines);
   lines.insert(lines.end(), table.notes.begin(), table.notes.end());
   for (const ChangedOption& option : table.provenance.options) {

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/json/json.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 
 namespace cvo::reports {
@@ -141,8 +142,38 @@ bool HaveSameRuns(const std::vector<RowRuns>& rows, const std::vector<std::strin
   return runs.size() <= 1;
 }
 
+// The values of all runs of a row, by scene, repetition and metric.
+std::string ValuesOf(const RowRuns& row, const std::vector<std::string>& keys) {
+  std::set<std::string> values;
+  for (const SuiteRun* run : row.runs) {
+    if (!run->run) continue;
+    for (const MetricValue& metric : run->run->metrics) {
+      values.insert(StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys), " ", metric.name, " ",
+                           FormatDouble(metric.value)));
+    }
+  }
+  return Joined(values, "\n");
+}
+
+// Notes about rows whose runs have the same values, down to the last bit.
+void NoteEqualRows(const std::vector<RowRuns>& rows, Table& table) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> labels;
+  for (const RowRuns& row : rows) {
+    const std::string values = ValuesOf(row, table.keys);
+    if (values.empty()) continue;
+    auto& [all, of_rows] = FindOrAdd(labels, &decltype(labels)::value_type::first, {values, {}});
+    of_rows.push_back(Joined(row.keys, " "));
+  }
+  for (const auto& [values, of_rows] : labels) {
+    if (of_rows.size() < 2) continue;
+    table.notes.push_back(
+        Joined(of_rows, " = ") +
+        ": the same values in every run, so what tells them apart changed nothing");
+  }
+}
+
 // What a reader must know to compare rows: corrected calibrations, perturbed images, what rows
-// average over, several builds or processor levels.
+// average over, several builds.
 std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Table& table) {
   std::vector<std::string> notes;
   const bool by_sequence =
@@ -172,9 +203,7 @@ std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Tab
         "rows are based on different runs: compare them by their paired differences only");
   }
   const std::size_t builds = table.provenance.builds.size();
-  const std::set<std::string> levels = CpuLevels(runs);
-  if (levels.size() > 1) AddOnce(CpuLevelNote(levels), notes);
-  if (builds > std::max<std::size_t>(levels.size(), 1)) {
+  if (builds > 1) {
     notes.push_back(StrCat("results come from ", builds,
                            " builds of the program: run the suite again to have one"));
   }
@@ -196,6 +225,7 @@ Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
   table.problems = ListProblems(GroupRuns(runs, plan.rows));
   table.provenance = DescribeRuns(runs, default_options);
   table.notes = TableNotes(runs, table);
+  NoteEqualRows(GroupRuns(runs, plan.rows), table);
   return table;
 }
 
@@ -223,46 +253,35 @@ void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& fold
   CorrectForMany(differences);
 }
 
-std::vector<std::string> MetricsOf(const SuitePlan& plan) {
-  if (!plan.metrics.empty()) return WithCoverage(plan.metrics);
-  std::vector<std::string> metrics = CameraMetrics();
-  for (const std::string& metric : ObjectMetrics()) metrics.push_back(metric);
-  return metrics;
-}
-
-std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs) {
-  std::set<std::string> levels;
-  for (const SuiteRun& run : runs) {
-    if (run.run && !run.run->build.cpu_level.empty()) levels.insert(run.run->build.cpu_level);
-  }
-  return levels;
-}
-
-std::string CpuLevelNote(const std::set<std::string>& levels) {
-  return StrCat("results come from processors of different levels (", Joined(levels, ", "),
-                "): differences at the level of rounding mean nothing");
+Table MakeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
+                const std::filesystem::path& folder, const Reference& reference,
+                const std::string& default_options) {
+  const std::string full_reference = FullReference(plan);
+  const std::vector<RowRuns> rows = GroupRuns(runs, plan.rows);
+  Table table = DescribeTable(plan, runs, WithCoverage(plan.metrics), default_options);
+  table.reference = plan.reference;
+  const auto reference_of = [&](const RowRuns& row) {
+    return FindReference(rows, row, plan.rows, full_reference);
+  };
+  AddRows(rows, folder, reference_of, table);
+  AddReferenceRows(reference, table);
+  return table;
 }
 
 Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
                 const std::string& default_options, const std::string& compared_with) {
   SuitePlan plan = ReadPlan(folder / "plan.json");
   if (!compared_with.empty()) plan.reference = compared_with;
-  const std::string full_reference = FullReference(plan);
-  const std::vector<std::string> metrics = MetricsOf(plan);
-  const std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);
+  const std::vector<SuiteRun> runs = ReadRuns(folder, plan, WithCoverage(plan.metrics));
   const std::vector<RowRuns> rows = GroupRuns(runs, plan.rows);
-  Table table = DescribeTable(plan, runs, metrics, default_options);
-  table.reference = plan.reference;
-  const auto reference_of = [&](const RowRuns& row) {
-    return FindReference(rows, row, plan.rows, full_reference);
+  const auto has_reference = [&, full = FullReference(plan)](const RowRuns& row) {
+    return FindReference(rows, row, plan.rows, full) != nullptr;
   };
-  if (!compared_with.empty() && std::none_of(rows.begin(), rows.end(), reference_of)) {
+  if (!compared_with.empty() && std::none_of(rows.begin(), rows.end(), has_reference)) {
     ThrowError("reference " + Quoted(compared_with), "no such row in " + plan.file.string(),
                "the variant or the key=value of a row");
   }
-  AddRows(rows, folder, reference_of, table);
-  AddReferenceRows(reference, table);
-  return table;
+  return MakeTable(plan, runs, folder, reference, default_options);
 }
 
 bool IsComplete(const Table& table) {

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,6 +56,11 @@ void AddReferenceRows(const Reference& reference, Table& table);
 Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
                 const std::string& default_options, const std::string& compared_with = "");
 
+// The table of these runs, with links relative to `folder`.
+Table MakeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
+                const std::filesystem::path& folder, const Reference& reference,
+                const std::string& default_options);
+
 // Compares the runs of `folder` with those of `before`, paired by row, scene, seed and body. Values
 // are those of `folder`; differences are with respect to the same row of `before`. Throws Error as
 // MakeTable does, and if the two have no run in common.
@@ -71,8 +75,6 @@ bool IsComplete(const Table& table);
 
 // What is common to the tables of one folder and of two.
 
-std::vector<std::string> MetricsOf(const SuitePlan& plan);
-
 // Everything but the rows and the reference. `default_options`: as for MakeTable.
 Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
                     const std::vector<std::string>& metrics, const std::string& default_options);
@@ -83,10 +85,5 @@ using ReferenceOf = std::function<const RowRuns*(const RowRuns& row)>;
 // Adds rows with links relative to `folder`, and corrects their differences for their number.
 void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& folder,
              const ReferenceOf& reference_of, Table& table);
-
-// The levels of the processors on which the runs were made, and a note for the reader if there are
-// several.
-std::set<std::string> CpuLevels(const std::vector<SuiteRun>& runs);
-std::string CpuLevelNote(const std::set<std::string>& levels);
 
 }  // namespace cvo::reports

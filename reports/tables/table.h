@@ -59,19 +59,16 @@ struct Difference {
   double difference = 0.0;
   std::optional<Interval> interval;
   std::optional<double> percent;  // the difference in percent of the reference
-  std::optional<Interval> percent_interval;
   // The interval excludes 0, adjusted_p_value is below 5 %, and there are enough pairs.
   bool distinguishable = false;
   std::size_t pairs = 0;                        // scenes, or bodies of the only scene
   std::string pairing;                          // what the two have in common
   std::optional<double> p_value = {};           // of this comparison, uncorrected
   std::optional<double> adjusted_p_value = {};  // corrected for all comparisons of the table (Holm)
-  std::optional<std::size_t> scenes_for_10_percent = {};  // needed to detect kPowerDifference
 
   CVO_RECORD(CVO_FIELD(reference, value, reference_value, difference)
-                 CVO_OPTIONAL(interval, percent, percent_interval)
-                     CVO_FIELD(distinguishable, pairs, pairing)
-                         CVO_OPTIONAL(p_value, adjusted_p_value, scenes_for_10_percent));
+                 CVO_OPTIONAL(interval, percent) CVO_FIELD(distinguishable, pairs, pairing)
+                     CVO_OPTIONAL(p_value, adjusted_p_value));
 };
 
 struct Cell {
@@ -216,18 +213,13 @@ struct Table {
 };
 
 // The values of the keys of a row, such as "indoor_1 full".
-std::string RowLabel(const Row& row);
+inline std::string RowLabel(const Row& row) { return Joined(row.keys, " "); }
 
 // "0:72": the frames from the first one on.
-std::string FrameRange(int first, int count);
+inline std::string FrameRange(int first, int count) { return StrCat(first, ":", first + count); }
 
 // The text of table.json. The same results give the same bytes. Throws Error naming the value if
 // one is not finite.
-std::string TableJson(const Table& table);
-
-// Reads a table.json; TableJson returns the same bytes for it. The pair of a source, which is not
-// in the file, is left at its default. Throws Error naming `where` and the field if the text is
-// truncated, of another schema version, or no table.
-Table ReadTable(std::string_view json, const std::string& where);
+inline std::string TableJson(const Table& table) { return FileText(table); }
 
 }  // namespace cvo::reports

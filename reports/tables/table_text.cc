@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -13,132 +12,133 @@
 namespace cvo::reports {
 namespace {
 
-constexpr std::size_t kGap = 2;
+using Cells = std::vector<std::string>;
 
-// A text as printed, with its marks separate so that digits align.
-struct Entry {
+// What fits on one screen.
+constexpr std::size_t kWidth = 100;
+constexpr std::size_t kRows = 31;  // of 40 lines, without title, headings, notes and empty lines
+constexpr std::size_t kColumns = 6;
+constexpr std::size_t kLeastLabel = 24;
+
+// One column of the short table: a metric, or two whose values share a cell.
+struct ShortColumn {
+  std::vector<std::size_t> columns;  // of the table
+  std::array<std::string, 2> heading;
+  std::size_t width = 0;
+};
+
+std::string Shortened(std::string text, std::size_t width) {
+  if (Width(text) <= width) return text;
+  while (Width(text) >= width) text.pop_back();
+  return text + "~";
+}
+
+// Splits a heading into two lines, as narrow as possible.
+std::array<std::string, 2> TwoLines(const std::string& text) {
+  std::array<std::string, 2> best = {"", text};
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
+    const std::array<std::string, 2> lines = {text.substr(0, at), text.substr(at + 1)};
+    if (std::max(Width(lines[0]), Width(lines[1])) < std::max(Width(best[0]), Width(best[1]))) {
+      best = lines;
+    }
+  }
+  return best;
+}
+
+// The columns that tell most, then those that the table begins with.
+std::vector<ShortColumn> ShortColumns(const Table& table, const TableTexts& texts) {
+  std::vector<std::vector<std::size_t>> picked;
+  std::vector<std::size_t> used;
+  const auto index_of = [&](const char* metric) {
+    const Column* column = FindBy(table.columns, &Column::metric, metric);
+    return static_cast<std::size_t>(column == nullptr ? -1 : column - table.columns.data());
+  };
+  for (const auto& [first, second] : {std::pair{"object_success_10cm", ""},
+                                      {"object_ate", ""},
+                                      {"object_coverage", ""},
+                                      {"object_id_switches", ""},
+                                      {"moving_precision", "moving_recall"},
+                                      {"camera_ate", ""}}) {
+    std::vector<std::size_t> columns;
+    for (const std::size_t index : {index_of(first), index_of(second)}) {
+      if (index < table.columns.size()) columns.push_back(index);
+    }
+    used.insert(used.end(), columns.begin(), columns.end());
+    if (!columns.empty()) picked.push_back(columns);
+  }
+  for (std::size_t i = 0; i < table.columns.size() && picked.size() < kColumns; ++i) {
+    if (std::find(used.begin(), used.end(), i) == used.end()) picked.push_back({i});
+  }
+  std::vector<ShortColumn> columns;
+  for (const std::vector<std::size_t>& of : picked) {
+    columns.push_back({of, TwoLines(of.size() == 2 ? "moving prec./recall"
+                                                   : texts.columns[of.front()].Heading())});
+  }
+  return columns;
+}
+
+// The value, or two with a slash; with a star if one is distinguishable from the reference.
+std::string ShortCell(const TextLine& line, const ShortColumn& column) {
   std::string text;
-  std::string marks = {};
-};
-using Entries = std::vector<Entry>;
-
-// Widths of all columns, texts at the left first.
-struct Layout {
-  std::size_t text_columns = 0;
-  std::vector<std::size_t> widths;  // without the marks
-  std::vector<std::size_t> marks;
-};
-
-// Returns the printed rows of a line: values, intervals, percentages and intervals of these, each
-// only if some cell has one.
-std::vector<Entries> EntriesOf(const TextLine& line, const std::vector<std::size_t>& columns) {
-  Entries values;
-  for (const std::string& text : line.texts) values.push_back({text});
-  for (const std::size_t column : columns) {
-    const CellText& cell = line.cells[column];
-    values.push_back({cell.Shown(), cell.distinguishable ? "*" : ""});
+  std::string mark = " ";
+  for (const std::size_t i : column.columns) {
+    const std::string shown = line.cells[i].Shown();
+    if (!shown.empty()) text += (text.empty() ? "" : "/") + shown;
+    if (line.cells[i].distinguishable) mark = "*";
+    if (line.cells[i].grey) mark.clear();
   }
-  std::vector<Entries> rows = {values};
-  for (const auto part : {&CellText::interval, &CellText::percent, &CellText::percent_interval}) {
-    Entries entries(line.texts.size());
-    for (const std::size_t column : columns) {
-      entries.push_back({line.cells[column].*part});
-    }
-    const bool any = std::any_of(entries.begin(), entries.end(),
-                                 [](const Entry& entry) { return !entry.text.empty(); });
-    if (any) rows.push_back(std::move(entries));
-  }
-  return rows;
+  return text.empty() ? "" : text + mark;
 }
 
-Entries HeaderEntries(const TableTexts& texts, const std::vector<std::size_t>& columns) {
-  Entries header;
-  for (const std::string& name : texts.text_header) header.push_back({name});
-  for (const std::size_t column : columns) {
-    header.push_back({texts.columns[column].Heading()});
-  }
-  return header;
-}
-
-Layout MeasureLayout(const TableTexts& texts, const std::vector<std::size_t>& columns) {
-  Layout layout;
-  layout.text_columns = texts.text_header.size();
-  const Entries header = HeaderEntries(texts, columns);
-  for (const Entry& entry : header) layout.widths.push_back(Width(entry.text));
-  layout.marks.resize(header.size());
-  for (const TextBlock& block : texts.blocks) {
-    for (const TextLine& line : block.lines) {
-      for (const Entries& entries : EntriesOf(line, columns)) {
-        for (std::size_t i = 0; i < entries.size(); ++i) {
-          layout.widths[i] = std::max(layout.widths[i], Width(entries[i].text));
-          layout.marks[i] = std::max(layout.marks[i], entries[i].marks.size());
-        }
-      }
+// The values of the keys of a row, options with the last part of their name; the name of a system.
+std::string ShortLabel(const Table& table, const TextLine& line) {
+  Cells parts;
+  for (std::size_t i = 0; i < table.keys.size(); ++i) {
+    const std::string& value = line.texts[i];
+    const std::size_t dot = table.keys[i].rfind('.');
+    if (dot == std::string::npos || line.theirs != nullptr) {
+      if (!value.empty()) parts.push_back(value);
+    } else if (value != "default") {
+      parts.push_back(StrCat(table.keys[i].substr(dot + 1), "=", value));
     }
   }
-  return layout;
+  if (line.theirs != nullptr) return "  " + Joined(parts, " ");
+  const JobCounts& jobs = line.row->jobs;
+  if (jobs.done < jobs.planned) parts.push_back(StrCat("(", jobs.done, "/", jobs.planned, ")"));
+  return Joined(parts, " ");
 }
 
-std::vector<std::size_t> AllColumns(const TableTexts& texts) {
-  std::vector<std::size_t> all(texts.columns.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
-}
-
-// Splits a table that is too wide into parts. Returns the columns of each part: from left to right
-// as many as fit, at least one.
-std::vector<std::vector<std::size_t>> SplitForWidth(const TableTexts& texts, std::size_t width) {
-  const std::vector<std::size_t> all = AllColumns(texts);
-  if (width == 0) return {all};
-  const Layout layout = MeasureLayout(texts, all);
-  std::size_t left = 0;
-  for (std::size_t i = 0; i < layout.text_columns; ++i) {
-    left += layout.widths[i] + (i > 0 ? kGap : 0);
+// Three lines at most: what ran, what a reader must know, and where the rest is.
+Cells ShortNotes(const Table& table, const TableTexts& texts) {
+  std::size_t scenes = 0;
+  for (const Row& row : table.rows) {
+    for (const Cell& cell : row.cells) scenes = std::max(scenes, cell.n.scenes);
   }
-  std::vector<std::vector<std::size_t>> panels = {{}};
-  std::size_t used = left;
-  for (const std::size_t column : all) {
-    const std::size_t at = layout.text_columns + column;
-    const std::size_t more = kGap + layout.widths[at] + layout.marks[at];
-    if (!panels.back().empty() && used + more > width) {
-      panels.emplace_back();
-      used = left;
-    }
-    panels.back().push_back(column);
-    used += more;
+  Cells notes = {StrCat(JobsText(table.jobs), ", ", Counted(scenes, "scene"), " a row")};
+  const auto has = [&](const auto& is) {
+    return std::any_of(texts.blocks[0].lines.begin(), texts.blocks[0].lines.end(),
+                       [&](const TextLine& line) {
+                         return std::any_of(line.cells.begin(), line.cells.end(), is);
+                       });
+  };
+  if (has([](const CellText& cell) { return cell.distinguishable; })) {
+    notes[0] += "; *: differs from " + Printable(table.reference) + " by more than noise";
   }
-  return panels;
+  if (has([](const CellText& cell) { return cell.grey; })) notes[0] += "; (..): not comparable";
+  Cells remarks = ProblemTexts(table);
+  remarks.insert(remarks.end(), table.notes.begin(), table.notes.end());
+  if (remarks.size() > 1) {
+    const std::string more = StrCat(" (and ", remarks.size() - 1, " more)");
+    remarks = {Shortened(Printable(remarks.front()), kWidth - more.size()) + more};
+  }
+  notes.insert(notes.end(), remarks.begin(), remarks.end());
+  notes.emplace_back("all columns, intervals, differences and notes: --all");
+  for (std::string& note : notes) note = Shortened(Printable(note), kWidth);
+  return notes;
 }
 
-std::string Padded(const Entry& entry, std::size_t column, const Layout& layout) {
-  const std::string blanks(layout.widths[column] - Width(entry.text), ' ');
-  const std::string behind(layout.marks[column] - entry.marks.size(), ' ');
-  return column < layout.text_columns ? entry.text + blanks
-                                      : blanks + entry.text + entry.marks + behind;
-}
-
-std::string LineText(const Entries& entries, const Layout& layout) {
-  std::string line;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (i > 0) line.append(kGap, ' ');
-    line += Padded(entries[i], i, layout);
-  }
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + "\n";
-}
-
-std::string PanelText(const TableTexts& texts, const TextBlock& block,
-                      const std::vector<std::size_t>& columns) {
-  const Layout layout = MeasureLayout(texts, columns);
-  std::string text = LineText(HeaderEntries(texts, columns), layout);
-  for (const TextLine& line : block.lines) {
-    const bool has_value = std::any_of(columns.begin(), columns.end(), [&](std::size_t column) {
-      return !line.cells[column].value.empty();
-    });
-    if (!columns.empty() && !has_value) continue;
-    for (const Entries& entries : EntriesOf(line, columns)) text += LineText(entries, layout);
-  }
-  return text;
+std::string Padded(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, Width(text)), ' ') + text;
 }
 
 // Escapes a standalone line so that it does not become a list, a heading or a rule.
@@ -153,7 +153,6 @@ std::string CellMarkdown(const CellText& cell) {
   if (cell.distinguishable) text += "\\*";
   if (!cell.interval.empty()) text += " (" + cell.interval + ")";
   if (!cell.percent.empty()) text += "; " + cell.percent;
-  if (!cell.percent_interval.empty()) text += " (" + cell.percent_interval + ")";
   return text;
 }
 
@@ -210,23 +209,25 @@ std::string LatexNumber(const std::string& text) {
   return number;
 }
 
-std::string EntryLatex(const Entry& entry, bool is_value) {
-  const std::string number = LatexNumber(entry.text);
-  if (!is_value) return number.empty() ? "" : StrCat("{\\scriptsize ", number, "}");
-  return number + (entry.marks.empty() ? "" : "\\rlap{$^{*}$}");
+std::string LatexCell(const CellText& cell) {
+  return LatexNumber(cell.Shown()) + (cell.distinguishable ? "\\rlap{$^{*}$}" : "");
 }
 
-std::string LineLatex(const TextLine& line, const std::vector<std::size_t>& columns) {
-  std::string latex;
-  bool is_value = true;
-  for (const Entries& entries : EntriesOf(line, columns)) {
-    std::vector<std::string> cells;
-    for (const Entry& entry : entries) {
-      cells.push_back(cells.size() < line.texts.size() ? LatexEscaped(entry.text)
-                                                       : EntryLatex(entry, is_value));
+// A row of values and, as far as some cell has one, rows of intervals and of percentages.
+std::string LineLatex(const TextLine& line) {
+  Cells cells;
+  for (const std::string& text : line.texts) cells.push_back(LatexEscaped(text));
+  for (const CellText& cell : line.cells) cells.push_back(LatexCell(cell));
+  std::string latex = Joined(cells, " & ") + " \\\\\n";
+  for (const auto part : {&CellText::interval, &CellText::percent}) {
+    cells.assign(line.texts.size(), "");
+    bool any = false;
+    for (const CellText& cell : line.cells) {
+      const std::string number = LatexNumber(cell.*part);
+      any = any || !number.empty();
+      cells.push_back(number.empty() ? "" : StrCat("{\\scriptsize ", number, "}"));
     }
-    latex += Joined(cells, " & ") + " \\\\\n";
-    is_value = false;
+    if (any) latex += Joined(cells, " & ") + " \\\\\n";
   }
   return latex;
 }
@@ -239,22 +240,91 @@ std::string Comments(const std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::string TableText(const Table& table, std::size_t width) {
+std::string AlignedText(const std::vector<Cells>& rows) {
+  std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size());
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], Width(Printable(row[i])));
+    }
+  }
+  std::string text;
+  for (const Cells& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string cell = Printable(row[i]);
+      line += cell + std::string(widths[i] + 2 - Width(cell), ' ');
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+std::string TableText(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  const auto panels = SplitForWidth(texts, width);
+  std::vector<ShortColumn> columns = ShortColumns(table, texts);
+  std::vector<const TextLine*> lines;
+  for (const TextLine& line : texts.blocks[0].lines) lines.push_back(&line);
+  if (lines.size() > kRows) {
+    std::erase_if(lines, [](const TextLine* line) { return line->theirs != nullptr; });
+  }
+  const std::size_t more = lines.size() > kRows ? lines.size() - kRows + 1 : 0;
+  lines.resize(lines.size() - more);
+  std::size_t right = 0;
+  for (ShortColumn& column : columns) {
+    column.width = std::max(Width(column.heading[0]), Width(column.heading[1])) + 1;
+    for (const TextLine* line : lines) {
+      column.width = std::max(column.width, Width(ShortCell(*line, column)));
+    }
+    right += column.width + 1;
+  }
+  while (columns.size() > 1 && right + kLeastLabel > kWidth) {
+    right -= columns.back().width + 1;
+    columns.pop_back();
+  }
+  std::size_t label = 0;
+  for (const TextLine* line : lines) label = std::max(label, Width(ShortLabel(table, *line)));
+  label = std::min(label, kWidth - right);
+  const std::string title =
+      StrCat(texts.title, texts.title.empty() || texts.about.empty() ? "" : ": ", texts.about);
+  std::string text = title.empty() ? "" : Shortened(title, kWidth) + "\n\n";
+  const auto add = [&](const std::string& name, const auto& cell_of) {
+    std::string line = name + std::string(label - Width(name), ' ');
+    for (const ShortColumn& column : columns) line += " " + Padded(cell_of(column), column.width);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  };
+  for (const std::size_t at : {0U, 1U}) {
+    add("", [&](const ShortColumn& column) { return column.heading.at(at) + " "; });
+  }
+  for (const TextLine* line : lines) {
+    add(Shortened(ShortLabel(table, *line), label),
+        [&](const ShortColumn& column) { return ShortCell(*line, column); });
+  }
+  if (more > 0) text += StrCat("and ", more, " more rows\n");
+  return text + "\n" + Joined(ShortNotes(table, texts), "\n") + "\n";
+}
+
+std::string TableListing(const Table& table) {
+  const TableTexts texts = MakeTexts(table);
   std::string text = texts.title.empty() ? "" : texts.title + "\n";
   if (!texts.about.empty()) text += texts.about + "\n";
   for (const TextBlock& block : texts.blocks) {
     if (!block.heading.empty()) text += "\n" + block.heading + "\n";
-    for (const auto& columns : panels) {
-      const bool behind_heading = !block.heading.empty() && &columns == &panels.front();
-      if (!text.empty() && !behind_heading) text += "\n";
-      text += PanelText(texts, block, columns);
+    for (const TextLine& line : block.lines) {
+      std::vector<Cells> rows;
+      for (std::size_t i = 0; i < line.cells.size(); ++i) {
+        const CellText& cell = line.cells[i];
+        if (cell.value.empty()) continue;
+        rows.push_back({"  " + texts.columns[i].Heading(),
+                        cell.Shown() + (cell.distinguishable ? "*" : ""), cell.interval,
+                        cell.percent});
+      }
+      if (rows.empty()) continue;
+      Cells names = line.texts;
+      std::erase(names, "");
+      text += StrCat("\n", Joined(names, "  "), "\n", AlignedText(rows));
     }
   }
-  text += "\n";
-  for (const std::string& note : texts.footnotes) text += note + "\n";
-  return text;
+  return StrCat(text, "\n", Joined(texts.footnotes, "\n"), "\n");
 }
 
 std::string TableMarkdown(const Table& table) {
@@ -282,7 +352,7 @@ std::string TableLatex(const Table& table) {
                     Joined(texts.text_header, " & ", LatexEscaped));
     for (const ColumnText& column : texts.columns) latex += " & " + LatexEscaped(column.Heading());
     latex += " \\\\\n\\midrule\n";
-    for (const TextLine& line : block.lines) latex += LineLatex(line, AllColumns(texts));
+    for (const TextLine& line : block.lines) latex += LineLatex(line);
     latex += "\\bottomrule\n\\end{tabular}\n";
   }
   return latex + Comments(texts.footnotes) + Comments(texts.definitions);

@@ -148,9 +148,6 @@ CellText DifferenceText(const std::optional<Difference>& difference, int decimal
   text.value = with_sign(Fixed(difference->difference, decimals));
   if (difference->interval) text.interval = RangeText(*difference->interval, decimals);
   if (difference->percent) text.percent = with_sign(Fixed(*difference->percent, 1)) + "%";
-  if (difference->percent_interval) {
-    text.percent_interval = RangeText(*difference->percent_interval, 0) + "%";
-  }
   text.n = Counted(difference->pairs, "pair");
   text.distinguishable = difference->distinguishable;
   return text;
@@ -159,29 +156,6 @@ CellText DifferenceText(const std::optional<Difference>& difference, int decimal
 std::string UnitForDigits(const Column& column) {
   const MetricEntry* rule = FindEntry(column.metric);
   return rule && rule->kind == MetricKind::kCount ? kCountUnit : column.unit;
-}
-
-// Returns the decimals of the value of each row; those that are comparable share theirs, and so do
-// those that are not. `most`: of those that are comparable.
-std::vector<int> ValueDecimals(const Table& table, std::size_t column, int& most) {
-  std::vector<int> decimals(table.rows.size());
-  most = 0;
-  for (const bool comparable : {false, true}) {
-    std::vector<Measured> figures;
-    std::vector<std::size_t> rows;
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-      const Cell& cell = table.rows[i].cells[column];
-      if (!cell.value || cell.not_comparable.empty() != comparable) continue;
-      figures.push_back({*cell.value, cell.interval});
-      rows.push_back(i);
-    }
-    const std::vector<int> found = ColumnDecimals(figures, UnitForDigits(table.columns[column]));
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      decimals[rows[i]] = found[i];
-      if (comparable) most = std::max(most, found[i]);
-    }
-  }
-  return decimals;
 }
 
 // Differences have as many decimals as the values, and one more if their interval supports it. The
@@ -193,9 +167,18 @@ void AddColumn(const Table& table, std::size_t column, std::vector<TextLine>& va
     const auto& difference = row.cells[column].difference;
     if (difference) figures.push_back({difference->difference, difference->interval});
   }
+  std::vector<Measured> values_of_rows;
+  for (const Row& row : table.rows) {
+    const Cell& cell = row.cells[column];
+    values_of_rows.push_back({cell.value.value_or(0.0), cell.interval});
+  }
+  const std::string unit = UnitForDigits(table.columns[column]);
+  const std::vector<int> decimals = ColumnDecimals(values_of_rows, unit);
   int most = 0;
-  const std::vector<int> decimals = ValueDecimals(table, column, most);
-  const std::vector<int> own = ColumnDecimals(figures, UnitForDigits(table.columns[column]));
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (table.rows[i].cells[column].value) most = std::max(most, decimals[i]);
+  }
+  const std::vector<int> own = ColumnDecimals(figures, unit);
   auto next = own.begin();
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Cell& cell = table.rows[i].cells[column];

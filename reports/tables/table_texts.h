@@ -33,7 +33,6 @@ struct CellText {
   std::string value;             // "-": a value is missing; empty: none is expected
   std::string interval;          // "low..high"
   std::string percent;           // of a difference
-  std::string percent_interval;  // of a difference
   std::string n;                 // "11 bodies, 4 scenes, 5 seeds, 20 runs"
   std::string note;              // why there is no value, or why it is not comparable
   bool distinguishable = false;  // distinguishable from the reference
@@ -86,6 +85,9 @@ std::string SourceMark(const Table& table, const std::string& source);
 // "11 bodies, 4 scenes, 5 seeds, 20 runs": what a value is a mean over.
 std::string CountsText(const Counts& n);
 
+// The jobs without a result, or with one to be read with care, and why.
+std::vector<std::string> ProblemTexts(const Table& table);
+
 // "3 of 4 runs, 1 of them lost": how many there are, and what became of the others.
 std::string JobsText(const JobCounts& jobs);
 
@@ -96,9 +98,16 @@ std::vector<std::string> Footnotes(const Table& table);
 // The definition of each column, from its contract.
 std::vector<std::string> Definitions(const Table& table);
 
-// Returns aligned columns with their units, then footnotes but no definitions. A table wider than
-// `width` is split into several; 0: no limit.
-std::string TableText(const Table& table, std::size_t width = 0);
+// Returns columns of texts, aligned at the left, each made printable.
+std::string AlignedText(const std::vector<std::vector<std::string>>& rows);
+
+// Returns what tells most on one screen, 100 columns by 40 lines with the line after it: one line
+// per row with at most six columns, and three lines of notes.
+std::string TableText(const Table& table);
+
+// Returns all values of each row, one per line with its interval, then the differences and the
+// footnotes but no definitions.
+std::string TableListing(const Table& table);
 
 // The same as Markdown, with the definitions of the columns.
 std::string TableMarkdown(const Table& table);

@@ -89,7 +89,7 @@ class FaultFolder : public testing::Test {
   static constexpr const char* kSuite = R"({
     "name": "small", "sequences": [{"folder": "wall"}], "variants": ["static"], "seeds": 2,
     "options": {"orb": {"features": 300}}, "grid": {"noise.corner_px": [0.5, 0.7]},
-    "table": {"rows": ["noise.corner_px"], "metrics": ["camera_ate", "camera_coverage"]}})";
+    "table": {"rows": ["noise.corner_px"], "metrics": ["camera_trpe_1_frame", "camera_coverage"]}})";
 };
 
 }  // namespace cvo::test

@@ -26,7 +26,6 @@ TEST_F(InputFaults, Pipes) {
   ExpectOneLine(RunWall({"--detections", pipe}), 1, found);
   ExpectOneLine(RunWall({"--labels", pipe}), 1, found);
   ExpectOneLine({"eval", "trajectory", "--groundtruth", pipe, "--estimate", pipe}, 1, found);
-  ExpectOneLine({"experiment", "table", "--from", pipe}, 1, pipe);
   // Pipes in place of result files are reported or ignored, but never waited for.
   ExpectDone(Suite("run"));
   const fs::path run = FirstResult().parent_path();
@@ -68,7 +67,6 @@ TEST_F(InputFaults, DeepJson) {
     ExpectOneLine(
         {"synth", "render", "tiny", "-o", out(), "--set", "objects.0=" + text.substr(0, 20'000)}, 2,
         "found");
-    ExpectOneLine({"experiment", "table", "--from", file}, 1, file);
     ExpectOneLine({"check", folder_.path(), "--baseline", file}, 1, file);
   }
 }

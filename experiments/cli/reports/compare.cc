@@ -6,10 +6,11 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <optional>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/files/atomic_file.h"
 #include "core/files/text/closest_names.h"
 #include "core/record/metric_catalogue.h"
 #include "core/record/suite_runs.h"
@@ -44,58 +45,36 @@ std::vector<reports::RunSummary> ReadRunsToCompare(const std::vector<std::string
   return runs;
 }
 
-reports::PlanJob PlannedJobOf(const reports::RunSummary& run) {
-  reports::PlanJob job;
-  job.sequence = run.sequence.name;
-  job.variant = run.variant;
-  if (run.system) {
-    job.system = run.variant.substr(reports::SystemVariant("").size());
-    job.variant.clear();
-  }
-  job.seed = run.seed;
-  job.oracle = run.given.value("oracle", std::vector<std::string>());
-  job.frames = run.sequence.frames;
-  job.job = run.job;
-  return job;
-}
-
-// Makes `folder` look like the output folder of a suite of these runs, with the first as the
-// reference. Throws Error for runs on different sequences and for a run given twice.
-void WriteSuiteOfRuns(const std::vector<std::string>& folders, const fs::path& folder) {
+// The table of a suite of these runs, with the first as the reference. Throws Error for runs on
+// different sequences and for a run given twice.
+reports::Table TableOfRuns(const std::vector<std::string>& folders) {
   const std::vector<reports::RunSummary> runs = ReadRunsToCompare(folders);
   std::vector<std::string> variants;
   for (const reports::RunSummary& run : runs) variants.push_back(run.variant);
   const std::vector<std::string> names = UniqueNames(variants, folders);
-  reports::PlanFile plan;
-  plan.suite.name = "Runs on " + runs.front().sequence.name;
-  for (const char* name : kRunMetrics) {
-    const bool any = std::any_of(runs.begin(), runs.end(), [&](const auto& run) {
-      return reports::FindMetric(run, name) != nullptr;
-    });
-    if (any) plan.table.metrics.emplace_back(name);
-  }
-  plan.table.reference = names.front();
-  if (names != variants) {
-    plan.table.rows = {"variant", "run"};
-    plan.table.reference = "run=" + names.front();
-  }
-  fs::create_directories(folder / "jobs");
+  reports::SuitePlan plan;
+  plan.name = "Runs on " + runs.front().sequence.name;
+  plan.metrics.assign(kRunMetrics.begin(), kRunMetrics.end());
+  plan.reference = names.front();
+  std::set<std::string> jobs;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    plan.jobs.push_back(PlannedJobOf(runs[i]));
-    if (names != variants) plan.jobs.back().parameters["run"] = names[i];
-    const fs::path job = folder / "jobs" / runs[i].job;
-    if (fs::exists(job)) ThrowError(folders[i], "the same run twice", "each once");
-    fs::create_directory_symlink(fs::absolute(folders[i]), job);
+    if (!jobs.insert(runs[i].job).second) ThrowError(folders[i], "the same run twice", "each once");
+    reports::PlannedRun& planned = plan.runs.emplace_back();
+    planned.keys = {{"sequence", runs[i].sequence.name}, {"variant", names[i]}};
+    planned.seed = runs[i].seed;
+    if (runs[i].system) planned.system = names[i];
   }
-  WriteFilesAtomically(folder, {{"plan.json", FileText(plan)}});
+  std::vector<reports::SuiteRun> results;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    results.push_back({plan.runs[i], runs[i].status, runs[i].message, "", std::nullopt});
+    if (runs[i].status != "failed") results.back().run = runs[i];
+  }
+  return reports::MakeTable(plan, results, fs::current_path(), {}, DefaultOptions());
 }
 
-// As the table of a suite of these runs.
 int CompareRuns(const CompareFlags& flags) {
-  const ScratchFolder suite;
-  WriteSuiteOfRuns(flags.folders, suite.path());
-  const reports::Table table = reports::MakeTable(suite.path(), {}, DefaultOptions());
-  OutputTable(table, flags.format, {flags.folders.begin(), flags.folders.end()});
+  OutputTable(TableOfRuns(flags.folders), flags.format,
+              {flags.folders.begin(), flags.folders.end()});
   return 0;
 }
 
@@ -142,6 +121,7 @@ Command AddExperimentCompareCommand(CLI::App& experiment) {
       ->required()
       ->expected(-2);
   flags->format.AddTo(*app);
+  flags->format.all = true;
   app->footer(
       "Suites: the output starts with the options, builds and variants in which they differ. Rows, "
       "scenes,\nseeds and bodies are paired; differences are B - A. Results that define the same "
@@ -165,7 +145,7 @@ struct CheckFlags {
   std::size_t gate_seeds = 0;
   std::string junit;
   std::string markdown;
-  bool exact = false;
+  bool tolerant = false;
 };
 
 std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
@@ -174,12 +154,14 @@ std::vector<std::filesystem::path> ReadBy(const CheckFlags& flags) {
 
 int WriteBaseline(const CheckFlags& flags) {
   CheckOutputFile(flags.write_baseline, ReadBy(flags));
+  const std::string begins = reports::BaselineText({});
+  CheckOwnFile(flags.write_baseline, begins.substr(0, begins.find("\"suite\"")));
   const reports::Baseline baseline = reports::MakeBaseline(flags.folder, flags.gate_seeds);
   WriteOutputFile(flags.write_baseline, reports::BaselineText(baseline), ReadBy(flags));
   std::cout << baseline.suite << ": " << Counted(baseline.jobs.size(), "run") << " with "
             << Counted(baseline.metrics.size(), "metric") << "; checked runs need "
-            << Counted(baseline.seeds.size(), "seed") << "\nwritten: " << flags.write_baseline
-            << '\n';
+            << Counted(baseline.seeds.size(), "seed") << "\n\n"
+            << reports::NoticedText(baseline) << "\nwritten: " << flags.write_baseline << '\n';
   return 0;
 }
 
@@ -188,7 +170,7 @@ int Check(const CheckFlags& flags) {
     if (!file.empty()) CheckOutputFile(file, ReadBy(flags));
   }
   const reports::Baseline baseline = reports::ReadBaseline(flags.baseline);
-  const reports::GateReport report = reports::CheckRuns(flags.folder, baseline, flags.exact);
+  const reports::GateReport report = reports::CheckRuns(flags.folder, baseline, !flags.tolerant);
   if (!flags.junit.empty()) WriteOutputFile(flags.junit, reports::GateJunit(report), ReadBy(flags));
   if (!flags.markdown.empty())
     WriteOutputFile(flags.markdown, reports::GateMarkdown(report), ReadBy(flags));
@@ -215,16 +197,17 @@ Command AddCheckCommand(CLI::App& program) {
       ->needs(write);
   add("--junit", flags->junit, "FILE", "also write JUnit XML")->needs(check);
   add("--markdown", flags->markdown, "FILE", "also write a summary in Markdown")->needs(check);
-  app->add_flag("--exact", flags->exact,
-                "also fail the check if any value differs from the baseline, better or worse; not "
-                "applied if compiler, libraries or level of the processor are not the baseline's")
+  app->add_flag(
+         "--tolerant", flags->tolerant,
+         "hold runs on the baseline's platform (compiler, libraries, level of the processor) "
+         "to tolerances too, instead of to equal values")
       ->needs(check);
   check->excludes(write);
   app->footer(
-      "Runs are paired by scene and seed. A variant regresses in a metric if its mean difference "
-      "is\nworse than noise between seeds fails one check in a hundred.\nExit code 1 on a "
-      "regression, or if a job or a metric of the baseline is missing, failed or is\ndefined "
-      "differently.\n"
+      "Runs are paired by scene and seed. Those on the baseline's platform must have its values. A "
+      "variant\nregresses in a metric if it is worse by more than noise between seeds explains in "
+      "one check of a\nhundred.\nExit code 1 on a regression or change, or if a job or a metric of "
+      "the baseline is missing, failed or\nis defined differently.\n"
       "Example: clustervo check results/ci --baseline reports/baselines/ci.json");
   app->callback([flags] {
     if (!flags->baseline.empty() || !flags->write_baseline.empty()) return;

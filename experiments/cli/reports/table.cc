@@ -1,9 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 // clustervo experiment table, and the figures of a suite for clustervo plot.
-#include <sys/ioctl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <iostream>
 #include <memory>
@@ -26,17 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Characters per line of the terminal; 0 if unknown.
-std::size_t TerminalWidth() {
-  winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
-}
-
 std::string Rendered(const reports::Table& table, const TableFormat& format) {
   if (format.format == "markdown") return reports::TableMarkdown(table);
   if (format.format == "csv") return reports::TableCsv(table);
   if (format.format == "latex") return reports::TableLatex(table);
-  return reports::TableText(table, format.output.empty() ? TerminalWidth() : 0);
+  return format.all ? reports::TableListing(table) : reports::TableText(table);
 }
 
 // Makes and prints the table of a suite's output folder. In the terminal format, also writes
@@ -54,16 +45,13 @@ int OutputSuiteTable(const fs::path& folder, const TableFormat& format,
   }
   OutputTable(table, format, {folder / "plan.json"});
   if (is_kept) {
-    std::cout << (format.output.empty() ? "\n" : "")
-              << "written: " << (folder / "table.json").string()
-              << " and table.md, with the definitions of the columns\n";
+    std::cout << "written: " << (folder / "table.json").string() << " and table.md\n";
   }
   return reports::IsComplete(table) ? 0 : kIncomplete;
 }
 
 struct TableFlags {
   std::string folder;
-  std::string from;
   std::string reference;
   bool times = false;
   TableFormat format;
@@ -81,10 +69,7 @@ int PrintTimes(const std::string& folder) {
 
 int OutputTableOf(const TableFlags& flags) {
   if (flags.times) return PrintTimes(flags.folder);
-  if (flags.from.empty()) return OutputSuiteTable(flags.folder, flags.format, flags.reference);
-  OutputTable(reports::ReadTable(ReadFileBytes(flags.from), flags.from), flags.format,
-              {flags.from});
-  return 0;
+  return OutputSuiteTable(flags.folder, flags.format, flags.reference);
 }
 
 }  // namespace
@@ -105,6 +90,7 @@ void OutputTable(const reports::Table& table, const TableFormat& format,
     std::cout << text << after;
     return;
   }
+  CheckOwnFile(format.output, text.substr(0, text.find('\n')));
   WriteOutputFile(format.output, text + after, read);
   std::cout << "written: " << format.output << '\n';
 }
@@ -116,21 +102,19 @@ Command AddExperimentTableCommand(CLI::App& experiment) {
       "table", "Print and write the table of a suite's results so far, with confidence intervals");
   const FlagAdder add{*app};
   const auto flags = std::make_shared<TableFlags>();
-  CLI::Option* folder = add("DIR", flags->folder, "", "output folder of the suite");
-  add("--from", flags->from, "FILE", "table.json to read instead of DIR, without the results")
-      ->excludes(folder);
+  add("DIR", flags->folder, "", "output folder of the suite")->required();
   add("--reference", flags->reference, "ROW",
       "row that the others are compared with, a variant or key=value; default: the "
-      "suite's; with it, DIR is not written to")
-      ->needs(folder);
+      "suite's; with it, DIR is not written to");
   flags->format.AddTo(*app);
+  app->add_flag("--all", flags->format.all,
+                "print every column with its intervals and differences, and all notes");
   app->add_flag("--times", flags->times,
-                "instead print frames per second and the time of each stage of the runs")
-      ->needs(folder);
+                "instead print frames per second and the time of each stage of the runs");
   app->footer(
-      "Every row states how many of its runs it is based on. With format terminal, "
-      "DIR/table.json\nand DIR/table.md are written too; csv has all digits; latex is a tabular "
-      "for \\input.\nExit code 1 if jobs failed or have not run yet; absent sequences are "
+      "Prints what fits on a screen, and writes DIR/table.json and DIR/table.md with the rest. Csv "
+      "has all\ndigits; latex is a tabular for \\input.\nExit code 1 if jobs failed or have not "
+      "run yet; absent sequences are "
       "listed.\nTimes are medians over the runs of a row, of stages means over frames. They are "
       "comparable only\nif every run had the machine to itself, as in a suite with timed_threads, "
       "which runs one job at a\ntime without cached features.\n"
@@ -138,9 +122,9 @@ Command AddExperimentTableCommand(CLI::App& experiment) {
       "  clustervo experiment table results/ablation --format latex -o ablation.tex\n"
       "  clustervo experiment table results/timing --times");
   app->callback([app, flags] {
-    if (flags->folder.empty() && flags->from.empty()) throw CLI::RequiredError("DIR or --from");
     if (!flags->times) return;
-    RefuseFlags(*app, {"--reference", "--format", "--output"}, "does not apply with --times");
+    RefuseFlags(*app, {"--reference", "--format", "--output", "--all"},
+                "does not apply with --times");
   });
   return {app, [flags] { return OutputTableOf(*flags); }};
 }

@@ -134,7 +134,9 @@ int EvaluateSequence(const TrajectoryFlags& flags) {
   SystemRequest request{sequence, "", {name, estimate, flags.objects}, 0, flags.right_shift_px};
   if (flags.json || output) {
     ReadSystem(sequence, request.files);  // reports bad files before the images are hashed
-    request.content = ContentHash(sequence, HashImages(sequence));
+    const std::vector<ImageHashes> images = HashImages(sequence);
+    request.content = ContentHash(sequence, images);
+    request.images = ImagesHash(images);
   }
   const SystemOutcome outcome = ScoreSystem(request);
   if (output) WriteFilesAtomically(output->path(), {{kResult, outcome.result}});

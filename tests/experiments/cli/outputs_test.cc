@@ -73,7 +73,7 @@ class CliOutputs : public testing::Test {
     folder_->Write("suite.json",
                    "{\"name\": \"small\", \"sequences\": [{\"folder\": \"wall\"}], \"variants\": "
                    "[\"static\"], \"seeds\": 2, \"table\": {\"rows\": [\"variant\"], "
-                   "\"metrics\": [\"camera_ate\"], \"reference\": \"static\"}}");
+                   "\"metrics\": [\"camera_trpe_1_frame\"], \"reference\": \"static\"}}");
     const Arguments suite = {"experiment", "run", Path("suite.json"), "-o", Path("suite"), "-q"};
     const Arguments table = {"experiment", "table", Path("suite")};
     const Arguments baseline = {"check", Path("suite"), "--write-baseline", Path("base.json")};
@@ -176,7 +176,8 @@ TEST_F(CliOutputs, InputsAreNeverOverwritten) {
        "--objects", Path("run/clusters"), "-o", Path("run/clusters")},
       {"experiment", "run", Path("suite.json"), "-o", Path("data")},
       {"experiment", "table", Path("suite"), "--format", "csv", "-o", Path("suite/plan.json")},
-      {"experiment", "table", "--from", Path("suite/table.json"), "-o", Path("suite/table.json")},
+      {"experiment", "table", Path("suite"), "-o", Path("run/result.json")},
+      {"experiment", "table", Path("suite"), "-o", Path("other.json")},
       {"check", Path("suite"), "--write-baseline", Path("suite/plan.json")},
       {"check", Path("suite"), "--baseline", Path("base.json"), "--markdown", Path("base.json")},
       {"check", Path("suite"), "--write-baseline", Path("run/result.json")},

@@ -18,6 +18,10 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
 
+using reports::IdentityOf;
+using reports::Job;
+using reports::JobIdentity;
+
 const std::string kDifferentText = "another";
 
 reports::BuildInfo SomeBuild() {

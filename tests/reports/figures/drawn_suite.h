@@ -77,7 +77,6 @@ inline reports::DrawnRun RunWithBody(const std::string& variant, const std::stri
     if (frame != 3) body.visible.push_back(frame);
   }
   run.detail.bodies = {body};
-  run.switches = {{2, 2, 5, 7}};
   return run;
 }
 

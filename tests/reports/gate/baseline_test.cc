@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "reports/gate/check_runs.h"
 #include "tests/reports/gate/gate_folder.h"
 #include "tests/support/error_message.h"
 
@@ -30,7 +31,7 @@ TEST(Baseline, ReadsBackAsWritten) {
   EXPECT_EQ(ParseJson(lines, "lines"), ParseJson(text, "text"));
   EXPECT_EQ(
       static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')),
-      baseline.metrics.size() + baseline.jobs.size() + 11);  // braces, 7 keys, 2 ends of lists
+      baseline.metrics.size() + baseline.jobs.size() + 13);  // braces, 9 keys, 2 ends of lists
   EXPECT_EQ(again.suite, "gate");
   EXPECT_EQ(again.build.identity, "abc");
   EXPECT_EQ(again.build.commit, "0123456789abcdef");
@@ -52,6 +53,26 @@ TEST(Baseline, RequiresACompleteSuiteWithTwoSeedsAndOneContractPerMetric) {
   EXPECT_THAT(error(folder), HasSubstr("another contract"));
   std::filesystem::remove_all(folder.path() / "jobs" / GateFolder::Id("room", "full", 3));
   EXPECT_THAT(error(folder), HasSubstr("full on room, detections good, seed 3: found not run"));
+}
+
+TEST(Baseline, AGateThatWouldMissADoublingIsRefused) {
+  const GateFolder few(2);
+  EXPECT_THAT(
+      ErrorMessage([&] { MakeBaseline(few.path()); }),
+      testing::AllOf(HasSubstr("found camera_ate of full that gets worse by "),
+                     HasSubstr("3 seeds (experiment run --seeds 3, check --gate-seeds 3;")));
+  // Twice as many names for the same images are not more scenes.
+  const GateFolder alike(5);
+  const auto tolerance = [&] { return NoticedBy(MakeBaseline(alike.path())).at(1).tolerance; };
+  const double of_two = tolerance();
+  alike.ForEachJob([&](const std::string& scene, const std::string& variant, int seed) {
+    alike.Edit(GateFolder::Id(scene, variant, seed), [&](Json& result) {
+      result["sequence"]["images"] = "the same";
+      result["metrics"][1]["value"] = GateFolder::Ate("room", seed);
+    });
+  });
+  EXPECT_GT(tolerance(), 1.3 * of_two);
+  EXPECT_THAT(NoticedText(MakeBaseline(GateFolder().path())), HasSubstr("camera_ate       "));
 }
 
 TEST(Baseline, BadFilesGiveErrorsOfOneLine) {
@@ -81,6 +102,12 @@ TEST(Baseline, BadFilesGiveErrorsOfOneLine) {
   EXPECT_THAT(message([](Json& json) { json["jobs"][0]["values"]["camera_ate"] = nullptr; }),
               HasSubstr("a JSON null, expected a number"));
   EXPECT_THAT(message([](Json& json) { json["seeds"] = {-1}; }), HasSubstr("an integer from 0"));
+  EXPECT_THAT(message([](Json& json) { json["seeds"] = Json::array(); }), HasSubstr("found none"));
+  EXPECT_THAT(message([](Json& json) { json["seeds"] = {1, 77}; }), HasSubstr("found 77"));
+  EXPECT_THAT(message([](Json& json) { json["metrics"].push_back(json["metrics"][0]); }),
+              HasSubstr("camera_coverage twice"));
+  EXPECT_THAT(message([](Json& json) { json["jobs"][0]["values"]["camera_ate"] = 0.5; }),
+              HasSubstr("does not fit its checksum"));
   const auto cut = temp.Write("cut.json", good.substr(0, good.size() / 2));
   EXPECT_THAT(ErrorMessage([&] { ReadBaseline(cut); }), HasSubstr("one complete JSON value"));
 }

@@ -7,6 +7,7 @@
 
 #include "core/files/json/json_record.h"
 #include "core/files/text_file.h"
+#include "core/record/metric_catalogue.h"
 #include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
 #include "core/record/truth.h"
@@ -52,6 +53,31 @@ TEST(ReadRun, RefusesAnotherSchemaInOneLine) {
             file + ": found schema_version 2, expected 3");
 }
 
+TEST(ReadRun, RefusesAResultThatWasEdited) {
+  RunSummary run = ReadRun(Golden("result.json"), AllMetricNames());
+  const test::TempFolder folder;
+  const auto read = [&](const char* pointer, const Json& value) {
+    Json result = FileJson(run);
+    EXPECT_TRUE(result.contains(Json::json_pointer(pointer))) << pointer;
+    result[Json::json_pointer(pointer)] = value;
+    const std::string file = folder.Write("result.json", result.dump());
+    return ErrorMessage([&] { ReadRun(file, {}); });
+  };
+  run.checksum = ChecksumOf(run);
+  EXPECT_THAT(read("/seed", run.seed), testing::HasSubstr("do not fit its checksum and job"));
+  run.job = JobIdentity({IdentityOf(run.build), run.variant, run.options, run.sequence.content,
+                         run.sequence.detections_hash, run.given, run.seed});
+  run.checksum = ChecksumOf(run);
+  EXPECT_EQ(read("/seed", run.seed), "");
+  for (const auto& [pointer, value] : {std::pair<const char*, Json>{"/metrics/0/value", 0.125},
+                                       {"/options", {{"a", 1}}},
+                                       {"/sequence/content", "other"},
+                                       {"/build/compiler", "other"},
+                                       {"/seed", 3}}) {
+    EXPECT_THAT(read(pointer, value), testing::HasSubstr("run its job again")) << pointer;
+  }
+}
+
 TEST(ReadRun, RefusesImpossibleCounts) {
   const test::TempFolder folder;
   const auto expect_refused = [&](const char* pointer, int value, const char* said) {
@@ -85,8 +111,7 @@ TEST(GoldenFiles, OthersAreWrittenAsTheyAreRead) {
   ExpectWritten(FileText(ReadRecord<TimingData>(Golden("timing.json"))), "timing.json");
   ExpectWritten(FileText(ReadRecord<TruthData>(Golden("truth.json"))), "truth.json");
   ExpectWritten(FileText(ReadBaseline(Golden("baseline.json"))), "baseline.json");
-  ExpectWritten(TableJson(ReadTable(ReadFileBytes(Golden("table.json")), "table.json")),
-                "table.json");
+  ExpectWritten(TableJson(ReadRecord<Table>(Golden("table.json"))), "table.json");
 }
 
 TEST(GoldenFiles, PlanIsRead) {

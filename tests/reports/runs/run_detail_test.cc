@@ -160,36 +160,6 @@ TEST(RunDetail, NeedsTheResultItself) {
   EXPECT_THAT(message(), AllOf(HasSubstr("refined"), HasSubstr("7 numbers")));
 }
 
-// ---- Identity switches
-
-// Adds landmarks of one cluster on one body in a frame.
-void AddSeen(int frame, int count, std::int64_t cluster, int body, LandmarksByFrame& landmarks) {
-  for (int i = 0; i < count; ++i) landmarks[frame].push_back({0.0F, 0.0F, cluster, body, false});
-}
-
-TEST(IdentitySwitches, AreWhereAnotherClusterHasMostLandmarks) {
-  LandmarksByFrame landmarks;
-  AddSeen(1, 5, 7, 2, landmarks);
-  AddSeen(1, 9, kStaticLabel, 2, landmarks);
-  AddSeen(1, 9, 8, 3, landmarks);
-  AddSeen(2, 2, 8, 2, landmarks);  // too few
-  AddSeen(3, 4, 7, 2, landmarks);  // a tie, which keeps the last cluster
-  AddSeen(3, 4, 6, 2, landmarks);
-  AddSeen(4, 4, 8, 2, landmarks);
-  AddSeen(4, 3, 7, 2, landmarks);
-  AddSeen(5, 9, 9, 2, landmarks);  // not visible
-  AddSeen(6, 3, 8, 2, landmarks);  // as before
-  BodyDetail body;
-  body.id = 2;
-  body.visible = {1, 2, 3, 4, 6};
-  const std::vector<IdentitySwitch> switches = IdentitySwitches(landmarks, {body});
-  ASSERT_EQ(switches.size(), 1U);
-  EXPECT_EQ(switches[0].frame, 4);
-  EXPECT_EQ(switches[0].body, 2);
-  EXPECT_EQ(switches[0].from, 7);
-  EXPECT_EQ(switches[0].to, 8);
-}
-
 TEST(Landmarks, ADamagedFileIsAnError) {
   const test::TempFolder folder;
   const auto message = [&](const std::string& rows) {

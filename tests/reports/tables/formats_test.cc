@@ -4,10 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/record/metric_catalogue.h"
 #include "reports/tables/table_texts.h"
 #include "tests/reports/results/result_files.h"
 #include "tests/reports/tables/hostile_table.h"
@@ -54,39 +56,46 @@ Table SmallTable() {
   return table;
 }
 
-TEST(TableText, AlignsColumnsAndBracketsIncomparableValues) {
+TEST(TableText, HasOneLinePerRowAndBracketsIncomparableValues) {
   EXPECT_EQ(TableText(SmallTable()),
             "Camera\n"
             "\n"
-            "sequence  variant        frames  truth   runs  coverage  ATE [m]\n"
-            "drive_1   static         0:72    devkit  1/1      1.000   0.0625\n"
-            "          ORB-SLAM2 [a]  0:72                               0.21\n"
-            "          ClusterVO [b]  0:144                            (0.26)\n"
-            "          Rooms [b]                                        (0.5)\n"
+            "                   ATE\n"
+            "                   [m]  coverage\n"
+            "drive_1 static  0.0625     1.000\n"
+            "  ORB-SLAM2 [a]   0.21\n"
+            "  ClusterVO [b]  (0.26)\n"
+            "  Rooms [b]       (0.5)\n"
             "\n"
-            "1 of 1 runs\n"
-            "n, coverage, ATE: 1 scene, 1 seed, 1 run\n"
-            "(in brackets): not comparable with ours: other scenes, frames or images, or a metric "
-            "that differs or that the source does not define\n"
-            "[a] measured\n"
-            "[b] a paper; a caveat\n");
+            "1 of 1 runs, 1 scene a row; (..): not comparable\n"
+            "all columns, intervals, differences and notes: --all\n");
 }
 
-TEST(TableText, FitsTheTerminal) {
+// Many long rows and columns: the most telling columns are left, and the rest is counted.
+TEST(TableText, FitsOneScreen) {
   Table table = SmallTable();
-  table.rows[0].reference.clear();
-  table.others.clear();
-  table.sources.clear();
-  table.columns.push_back({"camera_trpe_1_frame", "T.RPE", "m", {}});
-  table.rows[0].cells.push_back(table.rows[0].cells[1]);
-  EXPECT_THAT(TableText(table, 62),
-              HasSubstr("sequence  variant  frames  truth   runs  coverage  ATE [m]\n"
-                        "drive_1   static   0:72    devkit  1/1      1.000   0.0625\n"
-                        "\n"
-                        "sequence  variant  frames  truth   runs  T.RPE [m]\n"
-                        "drive_1   static   0:72    devkit  1/1      0.0625\n"));
-  EXPECT_THAT(TableText(table, 80), HasSubstr("coverage  ATE [m]  T.RPE [m]\n"));
-  EXPECT_THAT(TableText(table, 1), HasSubstr("runs  T.RPE [m]\n")) << "no terminal is that narrow";
+  table.keys = {"scene.knob.gap_m", "variant"};
+  table.rows[0].keys = {"default",
+                        "a variant whose name is much longer than a screen is wide, and so"};
+  for (const char* metric :
+       {"camera_trpe_all_pairs", "moving_recall", "object_ate", "moving_precision",
+        "object_success_10cm", "cluster_purity", "object_coverage", "object_id_switches"}) {
+    table.columns.push_back({metric, MetricLabel(metric), "m", {}});
+    table.rows[0].cells.push_back(table.rows[0].cells[1]);
+  }
+  table.notes = {"first", "second"};
+  const Row row = table.rows[0];
+  for (int gap = 1; gap < 50; ++gap) {
+    table.rows.push_back(row);
+    table.rows.back().keys[0] = StrCat(gap);
+  }
+  const std::string text = TableText(table);
+  EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 39);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  EXPECT_THAT(text, AllOf(HasSubstr("\ngap_m=29 a "), HasSubstr("\nand 20 more rows\n"),
+                          HasSubstr(" prec./recall "), HasSubstr("0.0625/0.0625 "),
+                          HasSubstr("\nfirst (and 1 more)\n"), Not(HasSubstr("purity"))));
 }
 
 TEST(TableText, ReportsMissingRuns) {
@@ -103,7 +112,9 @@ TEST(TableText, ReportsMissingRuns) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     table.problems.push_back({"full", "drive_1", seed, "failed", "killed", "logs/x.log"});
   }
-  const std::string text = TableText(table);
+  EXPECT_THAT(TableText(table),
+              HasSubstr("\nstatic, drive_1, seed 3: lost: 3 frames predicted (and 12 more)\n"));
+  const std::string text = TableListing(table);
   EXPECT_THAT(text, AllOf(HasSubstr("1 of 40 runs, 1 of them lost, 20 failed, 2 without their "),
                           HasSubstr("static, drive_1, seed 3: lost: 3 frames predicted\n"),
                           HasSubstr("drive_9: no data: no such folder\nfull, drive_1, seed 0: "
@@ -112,12 +123,18 @@ TEST(TableText, ReportsMissingRuns) {
                           HasSubstr("drive_1 static; ATE: no value in the run\n")));
 }
 
-TEST(TableText, ShowsIntervalsBelowTheirValues) {
+TEST(TableListing, ShowsAllValuesWithTheirIntervals) {
   Table table = SmallTable();
   table.rows[0].cells[1].interval = {0.005, 0.07, "least and largest of 3 runs of one scene"};
-  EXPECT_THAT(TableText(table),
-              AllOf(HasSubstr("0.062\n"), HasSubstr(" 0.005..0.070\n"),
-                    HasSubstr("low..high, ATE: least and largest of 3 runs of one scene\n")));
+  EXPECT_THAT(
+      TableListing(table),
+      AllOf(HasSubstr("\ndrive_1  static  0:72  devkit  1/1\n  coverage  1.000\n"
+                      "  ATE [m]   0.062  0.005..0.070\n"),
+            HasSubstr("\nClusterVO [b]  0:144\n  ATE [m]  (0.26)\n"),
+            HasSubstr("low..high, ATE: least and largest of 3 runs of one scene\n"),
+            HasSubstr("n, coverage, ATE: 1 scene, 1 seed, 1 run\n"
+                      "(in brackets): not comparable with ours: other scenes, frames or images"),
+            HasSubstr("[a] measured\n[b] a paper; a caveat\n")));
 }
 
 TEST(TableMarkdown, IsATableAndAList) {
@@ -143,7 +160,8 @@ TEST(TableMarkdown, EscapesNames) {
 }
 
 TEST(TableText, EscapesNames) {
-  const std::string text = TableText(test::HostileTable());
+  EXPECT_THAT(TableText(test::HostileTable()), Not(HasSubstr("\x1b")));
+  const std::string text = TableListing(test::HostileTable());
   EXPECT_THAT(text, AllOf(Not(HasSubstr("\x1b")), HasSubstr("their system"), HasSubstr("0.058"),
                           HasSubstr("0.104*"), HasSubstr("(0.04)"),
                           HasSubstr("killed <i>by</i> signal 9 (log: logs/x.log)\n")));

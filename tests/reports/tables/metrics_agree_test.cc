@@ -101,13 +101,6 @@ std::vector<Metric> RecordedMetrics() {
   return metrics;
 }
 
-TEST(ReferenceContract, TablesAskForMetricsThatExist) {
-  const std::vector<Metric> metrics = RecordedMetrics();
-  for (const std::string& name : CameraMetrics()) {
-    EXPECT_NE(cvo::FindMetric(metrics, name), nullptr) << name;
-  }
-}
-
 TEST(ReferenceContract, EveryMetricOfTheCameraIsComputed) {
   const std::vector<Metric> metrics = RecordedMetrics();
   for (std::size_t i = 0; i < kMetricCount; ++i) {

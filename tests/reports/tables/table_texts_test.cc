@@ -53,12 +53,10 @@ TEST(Digits, OfDifferencesFollowThoseOfTheValues) {
   difference.difference = -3e-8;
   difference.interval = Interval{-1e-7, 2e-8, ""};
   difference.percent = -0.001;
-  difference.percent_interval = Interval{-0.2, 15.0, ""};
   const CellText cell = MakeTexts(table).blocks[1].lines[0].cells[3];
   EXPECT_EQ(cell.value, "+0.0000");
   EXPECT_EQ(cell.interval, "0.0000..0.0000");
   EXPECT_EQ(cell.percent, "+0.0%");
-  EXPECT_EQ(cell.percent_interval, "0..15%");
 }
 
 TEST(Digits, ZeroHasNoSign) {
