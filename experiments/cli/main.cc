@@ -126,6 +126,7 @@ std::string PresentName(const std::string& command, const std::string& word) {
       {"clustervo import", "info --left L --right R --calib C -o FOLDER"},
       {"clustervo experiment times", "experiment table --times"},
       {"clustervo compare", "experiment compare"},
+      {"clustervo check --exact", "check, exact unless --tolerant"},
       {"clustervo figures", "plot DIR"}};
   const auto found = kPresent.find(command + " " + word);
   return found == kPresent.end() ? "" : ", now clustervo " + found->second;
