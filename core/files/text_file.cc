@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -124,14 +126,18 @@ std::int64_t TextRow::Id(std::size_t column) const {
 }
 
 int TextRow::Integer(std::size_t column) const {
-  const auto value = ParseInt(columns_[column]);
-  if (!value) FailColumn(column, "a whole number");
-  return *value;
+  if (const auto value = ParseInt(columns_[column])) return *value;
+  const auto value = ParseDouble(columns_[column]);
+  constexpr double kMost = std::numeric_limits<int>::max();
+  if (!value || *value != std::trunc(*value) || std::abs(*value) > kMost) {
+    FailColumn(column, "a whole number");
+  }
+  return static_cast<int>(*value);
 }
 
-std::int64_t TextRow::SecondsNs(std::size_t column) const {
-  const auto value = ParseSecondsNs(columns_[column]);
-  if (!value) FailColumn(column, "a time in seconds");
+std::int64_t TextRow::TimeNs(std::size_t column, std::int64_t unit_ns) const {
+  const auto value = ParseTimeNs(columns_[column], unit_ns);
+  if (!value) FailColumn(column, "a time");
   return *value;
 }
 

@@ -50,10 +50,10 @@ class TextRow {
   std::size_t size() const { return columns_.size(); }
   void ExpectColumns(std::size_t count, const std::string& what) const;
   std::string_view Text(std::size_t column) const { return columns_[column]; }
-  double Number(std::size_t column) const;  // finite
-  int Integer(std::size_t column) const;
+  double Number(std::size_t column) const;    // finite
+  int Integer(std::size_t column) const;      // also "-1.00"
   std::int64_t Id(std::size_t column) const;  // 64-bit integer
-  std::int64_t SecondsNs(std::size_t column) const;
+  std::int64_t TimeNs(std::size_t column, std::int64_t unit_ns) const;
   [[noreturn]] void Fail(const std::string& found, const std::string& expected) const;
 
  private:

@@ -26,11 +26,30 @@ int CellCount(const cv::Size& size) {
   return count;
 }
 
-// The output as a matrix of floats with one box per row.
-cv::Mat RowsOf(const cv::Mat& output, OutputLayout layout) {
-  if (layout == OutputLayout::kDarknet) return output;
-  const cv::Mat plane(output.size[1], output.size[2], CV_32F, const_cast<uchar*>(output.data));
-  return layout == OutputLayout::kYolov8 ? cv::Mat(plane.t()) : plane;
+constexpr int kEndToEndColumns = 6;
+constexpr int kMaskColumns = 32;  // of a segmentation head, after the scores of classes
+
+bool HasObjectness(OutputLayout layout) { return layout < OutputLayout::kYolov8; }
+
+int ColumnsOf(OutputLayout layout, int categories) {
+  if (layout == OutputLayout::kEndToEnd) return kEndToEndColumns;
+  return (HasObjectness(layout) ? 5 : 4) + categories;
+}
+
+// Whether the values of the row with the best score are pixels rather than offsets in cells and
+// logarithms, which are never as large.
+bool HoldsPixels(const cv::Mat& rows) {
+  constexpr float kLargestRaw = 12.0F;
+  int best = 0;
+  float best_score = -1.0F;
+  for (int i = 0; i < rows.rows; ++i) {
+    const float* row = rows.ptr<float>(i);
+    const float score = row[4] * *std::max_element(row + 5, row + rows.cols);
+    if (score > best_score) best = i;
+    best_score = std::max(best_score, score);
+  }
+  const float* row = rows.ptr<float>(best);
+  return std::any_of(row, row + 4, [](float value) { return std::abs(value) > kLargestRaw; });
 }
 
 struct CenteredBox {
@@ -60,6 +79,10 @@ CenteredBox ToPixels(const CenteredBox& box, OutputLayout layout, int row, const
               box.height * size.height};
     case OutputLayout::kYolox:
       return FromCell(box, row, size);
+    case OutputLayout::kEndToEnd:  // corners
+      return {0.5 * (box.x + box.width), 0.5 * (box.y + box.height), box.width - box.x,
+              box.height - box.y};
+    case OutputLayout::kYoloxDecoded:
     case OutputLayout::kYolov5:
     case OutputLayout::kYolov8:
       return box;
@@ -150,38 +173,79 @@ Letterbox FillInput(const cv::Mat& image, const cv::Size& size, Placement placem
   return box;
 }
 
-std::optional<OutputLayout> LayoutOf(const std::vector<int>& output_sizes, const cv::Size& size) {
-  if (output_sizes.size() == 2) return OutputLayout::kDarknet;
-  if (output_sizes.size() != 3 || output_sizes[0] != 1) return std::nullopt;
-  const int cells = CellCount(size);
-  if (output_sizes[1] == cells) return OutputLayout::kYolox;
-  if (output_sizes[1] == 3 * cells) return OutputLayout::kYolov5;
-  if (output_sizes[2] == cells) return OutputLayout::kYolov8;
-  return std::nullopt;
+cv::Mat RowsOf(const cv::Mat& output, int categories, const std::string& where) {
+  const auto fits = [&](int columns) {
+    return columns == 4 + categories || columns == 5 + categories || columns == kEndToEndColumns;
+  };
+  const auto masks = [&](int columns) { return fits(columns - kMaskColumns); };
+  const int* sizes = output.size.p;
+  std::string found = "an output of";
+  for (int i = 0; i < output.dims; ++i) found += StrCat(i > 0 ? " x " : " ", sizes[i]);
+  if (output.type() == CV_32F && output.dims == 2 && fits(sizes[1])) return output;
+  const bool is_list = output.type() == CV_32F && output.dims == 3 && sizes[0] == 1;
+  if (is_list && (fits(sizes[1]) || fits(sizes[2]))) {
+    const cv::Mat plane(sizes[1], sizes[2], CV_32F, const_cast<uchar*>(output.data));
+    // More boxes than columns, if either could be.
+    return fits(sizes[2]) && (!fits(sizes[1]) || sizes[1] >= sizes[2]) ? plane : cv::Mat(plane.t());
+  }
+  if (output.dims == 4 || (is_list && (masks(sizes[1]) || masks(sizes[2])))) {
+    found += ", as of a segmentation head";
+  }
+  ThrowError(where, found,
+             StrCat("boxes of ", categories, " classes, as many as names: rows of ", 4 + categories,
+                    " or ", 5 + categories, " numbers, or of 6 (end-to-end)"));
 }
 
-std::vector<RawBox> DecodeOutput(const cv::Mat& output, OutputLayout layout, const cv::Size& size,
-                                 int categories, double min_score) {
-  const cv::Mat rows = RowsOf(output, layout);
-  const bool has_objectness = layout != OutputLayout::kYolov8;
-  const int first = has_objectness ? 5 : 4;
-  if (rows.cols != first + categories) {
-    ThrowError("model", StrCat(rows.cols - first, " classes"),
+std::optional<OutputLayout> LayoutOf(const cv::Mat& rows, const cv::Size& size, int categories) {
+  const int cells = CellCount(size);
+  const bool by_cell = rows.rows == cells || rows.rows == 3 * cells;
+  const bool end_to_end = rows.cols == kEndToEndColumns;
+  if (rows.cols == 4 + categories && (by_cell || !end_to_end)) return OutputLayout::kYolov8;
+  if (rows.cols == 5 + categories && (by_cell || !end_to_end)) {
+    const bool pixels = HoldsPixels(rows);
+    if (rows.rows == cells) return pixels ? OutputLayout::kYoloxDecoded : OutputLayout::kYolox;
+    return pixels || rows.rows == 3 * cells ? std::optional(OutputLayout::kYolov5) : std::nullopt;
+  }
+  const bool either = rows.cols == 4 + categories || rows.cols == 5 + categories;
+  return end_to_end && !either ? std::optional(OutputLayout::kEndToEnd) : std::nullopt;
+}
+
+std::vector<RawBox> DecodeRows(const cv::Mat& rows, OutputLayout layout, const cv::Size& size,
+                               int categories, double min_score) {
+  const int columns = ColumnsOf(layout, categories);
+  if (rows.cols != columns) {
+    ThrowError("model", StrCat(rows.cols - columns + categories, " classes"),
                StrCat(categories, ", as many as names"));
   }
+  const bool end_to_end = layout == OutputLayout::kEndToEnd;
+  const int first = end_to_end ? 4 : columns - categories;
+  // Darknet's class scores already include objectness.
+  const bool times_objectness = HasObjectness(layout) && layout != OutputLayout::kDarknet;
+  double largest = 0.0;
   std::vector<RawBox> boxes;
   for (int i = 0; i < rows.rows; ++i) {
     const float* row = rows.ptr<float>(i);
-    const float* best = std::max_element(row + first, row + rows.cols);
-    // Darknet's class scores already include objectness.
-    const bool times_objectness = has_objectness && layout != OutputLayout::kDarknet;
+    for (int k = 0; k < 4; ++k) largest = std::max(largest, static_cast<double>(row[k]));
+    const float* best = end_to_end ? row + 4 : std::max_element(row + first, row + rows.cols);
     const double score = *best * (times_objectness ? static_cast<double>(row[4]) : 1.0);
     if (!(score >= min_score)) continue;
+    const auto category = end_to_end ? std::lround(row[5]) : best - (row + first);
+    if (category < 0 || category >= categories) {
+      ThrowError("model", StrCat("class ", category), StrCat("0 to ", categories - 1));
+    }
     const CenteredBox box = ToPixels({row[0], row[1], row[2], row[3]}, layout, i, size);
     boxes.push_back({{box.x - 0.5 * box.width, box.y - 0.5 * box.height, box.x + 0.5 * box.width,
                       box.y + 0.5 * box.height},
-                     static_cast<int>(best - (row + first)),
+                     static_cast<int>(category),
                      score});
+  }
+  constexpr double kLargestFraction = 2.0;
+  const bool in_px = layout != OutputLayout::kDarknet && layout != OutputLayout::kYolox;
+  if (in_px && largest <= kLargestFraction) {
+    for (RawBox& raw : boxes) {
+      raw.box = {raw.box.left_px * size.width, raw.box.top_px * size.height,
+                 raw.box.right_px * size.width, raw.box.bottom_px * size.height};
+    }
   }
   return boxes;
 }
@@ -220,7 +284,9 @@ struct DetectorModel::Network {
 
   bool IsDarknet() const { return files.model.extension() == ".cfg"; }
   // YOLOX was trained on values of 0 to 255 in BGR order.
-  bool IsYolox() const { return layout == OutputLayout::kYolox; }
+  bool IsYolox() const {
+    return layout == OutputLayout::kYolox || layout == OutputLayout::kYoloxDecoded;
+  }
 
   std::vector<cv::Mat> Forward(const cv::Mat& input) {
     net.setInput(cv::dnn::blobFromImage(input, IsYolox() ? 1.0 : 1.0 / 255.0, cv::Size(),
@@ -233,21 +299,33 @@ struct DetectorModel::Network {
     return results;
   }
 
+  std::vector<RawBox> Boxes(const cv::Mat& input, double min_score) {
+    const int categories = static_cast<int>(names.size());
+    std::vector<RawBox> boxes;
+    for (const cv::Mat& output : Forward(input)) {
+      const cv::Mat rows = IsDarknet() ? output : RowsOf(output, categories, files.model.string());
+      const auto more = DecodeRows(rows, layout, size, categories, min_score);
+      boxes.insert(boxes.end(), more.begin(), more.end());
+    }
+    return boxes;
+  }
+
   // Determines the layout of the outputs by running the network once on an empty image.
   void FindLayout() {
-    const std::vector<cv::Mat> results = Forward(cv::Mat(size, CV_8UC3, cv::Scalar::all(0)));
-    for (const cv::Mat& result : results) {
-      const std::vector<int> sizes(result.size.p, result.size.p + result.dims);
-      const std::optional<OutputLayout> found = LayoutOf(sizes, size);
-      if (!found || result.type() != CV_32F || (*found == OutputLayout::kDarknet) != IsDarknet()) {
-        std::string text;
-        for (const int count : sizes) text += StrCat(text.empty() ? "" : " x ", count);
-        ThrowError(files.model.string(), "an output of " + text,
-                   StrCat("boxes of YOLO for an input of ", size.width, "x", size.height));
+    const cv::Mat empty(size, CV_8UC3, cv::Scalar::all(0));
+    const int categories = static_cast<int>(names.size());
+    for (const cv::Mat& output : Forward(empty)) {
+      if (IsDarknet() && output.dims == 2) continue;
+      const cv::Mat rows = RowsOf(output, categories, files.model.string());
+      const auto found = IsDarknet() ? std::nullopt : LayoutOf(rows, size, categories);
+      if (!found && !files.layout) {
+        ThrowError(files.model.string(), StrCat(rows.rows, " rows of ", rows.cols, " numbers"),
+                   StrCat("boxes of YOLO for an input of ", size.width, "x", size.height,
+                          ", or --layout NAME that tells what they are"));
       }
-      layout = *found;
-      DecodeOutput(result, layout, size, static_cast<int>(names.size()), 2.0);
+      layout = files.layout ? *files.layout : *found;
     }
+    Boxes(empty, 2.0);
   }
 };
 
@@ -280,15 +358,9 @@ std::vector<Detection> DetectorModel::Detect(const cv::Mat& image, const Detecto
   cv::Mat input;
   const Letterbox letterbox = FillInput(
       colour, network.size, network.IsYolox() ? Placement::kTopLeft : Placement::kCentered, input);
-  std::vector<RawBox> boxes;
-  for (const cv::Mat& output : network.Forward(input)) {
-    const std::vector<RawBox> more =
-        DecodeOutput(output, network.layout, network.size, static_cast<int>(network.names.size()),
-                     options.min_score);
-    boxes.insert(boxes.end(), more.begin(), more.end());
-  }
   std::vector<Detection> detections;
-  for (const RawBox& raw : SuppressOverlaps(std::move(boxes), options.max_overlap)) {
+  for (const RawBox& raw :
+       SuppressOverlaps(network.Boxes(input, options.min_score), options.max_overlap)) {
     const ImageBox box = letterbox.ToImage(raw.box);
     const ImageBox inside = {std::max(0.0, box.left_px), std::max(0.0, box.top_px),
                              std::min(image.cols - 1.0, box.right_px),

@@ -32,20 +32,28 @@ enum class Placement { kCentered, kTopLeft };
 Letterbox FillInput(const cv::Mat& image, const cv::Size& size, Placement placement,
                     cv::Mat& input);
 
-// Meaning of the rows of a detection network's output.
+// Meaning of the rows of a detection network's output: one box each, as columns. Pixels are those
+// of the input; if all are at most 2, they are fractions of it.
 enum class OutputLayout {
-  kDarknet,  // N x (5 + classes), one per layer: centre and size as fractions of the input
-  kYolox,    // 1 x N x (5 + classes): offsets in cells of 8, 16 and 32 px, logarithms of sizes
-  kYolov5,   // 1 x 3N x (5 + classes): centre and size in pixels of the input
-  kYolov8    // 1 x (4 + classes) x N: as kYolov5, but transposed and without objectness
+  kDarknet,       // 5 + classes, one output per layer: centre and size as fractions of the input
+  kYolox,         // 5 + classes: offsets in cells of 8, 16 and 32 px, logarithms of sizes
+  kYoloxDecoded,  // the same, with centre and size in pixels
+  kYolov5,        // 5 + classes: centre and size in pixels
+  kYolov8,        // 4 + classes: the same, without objectness
+  kEndToEnd,      // 6: left, top, right, bottom in pixels, score, class
 };
-constexpr std::array<const char*, 4> EnumNames(OutputLayout) {
-  return {"darknet", "yolox", "yolov5", "yolov8"};
+constexpr std::array<const char*, 6> EnumNames(OutputLayout) {
+  return {"darknet", "yolox", "yolox_decoded", "yolov5", "yolov8", "end2end"};
 }
 
-// Returns the layout of an output with these sizes, for a network input of `size`. Empty if it is
-// none of the known ones.
-std::optional<OutputLayout> LayoutOf(const std::vector<int>& output_sizes, const cv::Size& size);
+// Returns the output as a matrix with one box per row: N x columns, 1 x N x columns or, transposed,
+// 1 x columns x N, whichever fits the number of classes. Throws Error, naming `where`, for anything
+// else, such as the masks of a segmentation head.
+cv::Mat RowsOf(const cv::Mat& output, int categories, const std::string& where);
+
+// Returns the layout of such rows, for a network input of `size`: by their numbers and, where these
+// leave it open, by the values of the best row. Empty if it stays open.
+std::optional<OutputLayout> LayoutOf(const cv::Mat& rows, const cv::Size& size, int categories);
 
 struct RawBox {
   ImageBox box;  // in pixels of the network's input
@@ -53,10 +61,10 @@ struct RawBox {
   double score = 0.0;  // of the best class, times objectness if the network has one
 };
 
-// Returns the boxes with a score of at least `min_score`. Throws Error unless each row has
-// `categories` class scores.
-std::vector<RawBox> DecodeOutput(const cv::Mat& output, OutputLayout layout, const cv::Size& size,
-                                 int categories, double min_score);
+// Returns the boxes of rows (RowsOf) with a score of at least `min_score`. Throws Error unless each
+// row has `categories` class scores.
+std::vector<RawBox> DecodeRows(const cv::Mat& rows, OutputLayout layout, const cv::Size& size,
+                               int categories, double min_score);
 
 // Non-maximum suppression: of boxes of one class that overlap by more than `max_overlap`
 // (intersection over union), keeps the one with the highest score. Sorted by decreasing score.
@@ -68,6 +76,7 @@ struct DetectorFiles {
   std::filesystem::path weights;  // for Darknet; empty: beside the model, with the same name
   std::filesystem::path names;    // of the classes, one per line
   cv::Size input = {0, 0};        // width, height in pixels; 0: from the .cfg, or 640 x 640
+  std::optional<OutputLayout> layout = {};  // empty: found by LayoutOf
 };
 
 struct DetectorOptions {
@@ -79,8 +88,8 @@ struct DetectorOptions {
 // unchanged.
 std::string KittiClass(const std::string& name);
 
-// A YOLO detector, in Darknet's format (v3, v4 and similar) or in ONNX as exported by YOLOX, YOLOv5
-// and YOLOv8. It runs on the CPU, with OpenCV's DNN module.
+// A YOLO detector, in Darknet's format (v3, v4 and similar) or in ONNX as exported by YOLOX,
+// YOLOv5, YOLOv8 and their successors. It runs on the CPU, with OpenCV's DNN module.
 class DetectorModel {
  public:
   // Throws Error for missing or damaged files, for a network whose outputs are not boxes, and if

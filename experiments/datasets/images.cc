@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/base/rng.h"
 #include "core/files/images/image_file.h"
 #include "core/files/json/options_json.h"
@@ -104,6 +105,35 @@ StereoImages CheckedImages(std::vector<StereoPaths> paths) {
     CheckSize(pair.right, images, first);
   }
   return images;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> PairByTime(const Times& left_ns,
+                                                            const Times& right_ns,
+                                                            const fs::path& right,
+                                                            std::vector<std::string>& notes) {
+  constexpr double kNear = 0.25;  // of a frame
+  double step_ns = 4.0 * kDefaultAssociation_ns;
+  for (const Times* times : {&left_ns, &right_ns}) {
+    std::vector<double> steps_ns;
+    for (std::size_t i = 1; i < times->size(); ++i) {
+      steps_ns.push_back(static_cast<double>((*times)[i] - (*times)[i - 1]));
+    }
+    if (!steps_ns.empty()) step_ns = std::min(step_ns, Median(std::move(steps_ns)));
+  }
+  const TimeAssociation near =
+      AssociateByTime(left_ns, right_ns, static_cast<std::int64_t>(kNear * step_ns));
+  const std::size_t fewer = std::min(left_ns.size(), right_ns.size());
+  if (near.pairs.empty() || 2 * near.pairs.size() < fewer) {
+    ThrowError(right.string(),
+               StrCat(near.pairs.size(), " of ", right_ns.size(), " images within ",
+                      1e-6 * kNear * step_ns, " ms, a quarter of a frame, of a left image"),
+               "pairs of images that were taken together");
+  }
+  if (near.unmatched_a + near.unmatched_b > 0) {
+    notes.push_back(StrCat("images without one of the other camera at that time, left out: ",
+                           near.unmatched_a, " left, ", near.unmatched_b, " right"));
+  }
+  return near.pairs;
 }
 
 StereoImages ListStereoImages(const fs::path& left_folder, const fs::path& right_folder,

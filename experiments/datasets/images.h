@@ -7,6 +7,7 @@
 #include <map>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiments/datasets/sequence.h"
@@ -36,6 +37,14 @@ StereoImages ListStereoImages(const std::filesystem::path& left_folder,
 // Checks from the headers that the images exist, have 8 bits per channel and are all of the same
 // size. Throws Error otherwise.
 StereoImages CheckedImages(std::vector<StereoPaths> paths);
+
+// The images of two cameras that were taken together: the nearest in time, within a quarter of a
+// frame. Throws Error naming `right` unless most images of the camera that has fewer have a
+// partner. Adds how many are left out to `notes`.
+std::vector<std::pair<std::size_t, std::size_t>> PairByTime(const Times& left_ns,
+                                                            const Times& right_ns,
+                                                            const std::filesystem::path& right,
+                                                            std::vector<std::string>& notes);
 
 // Returns the files <prefix><number><extension> of a folder by number; others are ignored. Throws
 // Error if there are none, or two with one number.

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "experiments/datasets/sequence.h"
@@ -16,10 +18,53 @@ void Tell(const std::vector<std::string>& found, std::vector<std::string>& lines
 
 // Finds a baseline that is most likely in another unit than metres.
 void FindBaseline(double baseline_m, std::vector<std::string>& lines) {
-  constexpr double kShortest_m = 1e-3;
-  constexpr double kLongest_m = 10.0;
+  constexpr double kShortest_m = 0.01;
+  constexpr double kLongest_m = 3.0;
   if (baseline_m == 0.0 || (baseline_m >= kShortest_m && baseline_m <= kLongest_m)) return;
-  lines.push_back(StrCat("calibration: a baseline of ", baseline_m, " m"));
+  lines.push_back(StrCat("calibration: a baseline of ", baseline_m, " m, where ", kShortest_m,
+                         " to ", kLongest_m, " m are usual"));
+}
+
+std::vector<double> StepsOf(const Sequence& sequence) {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < sequence.timestamps_ns.size(); ++i) {
+    steps_s.push_back(
+        1e-9 * static_cast<double>(sequence.timestamps_ns[i] - sequence.timestamps_ns[i - 1]));
+  }
+  return steps_s;
+}
+
+void FindSlowRate(const std::vector<double>& steps_s, std::vector<std::string>& lines) {
+  constexpr double kLongest_s = 1.0;
+  const double step_s = Median(steps_s);
+  if (step_s > kLongest_s) lines.push_back(StrCat("times: a median of ", step_s, " s per frame"));
+}
+
+// Finds boxes in pixels of a larger image, such as one of twice the size.
+void FindBoxesBeyond(const Sequence& sequence, const char* what,
+                     const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines) {
+  constexpr double kMargin_px = 8.0;
+  constexpr double kMost = 0.1;  // part of the boxes
+  const StereoCamera& camera = sequence.camera;
+  const auto beyond = std::ranges::count_if(boxes, [&](const ObjectBox& box) {
+    return box.right_px > camera.width_px + kMargin_px ||
+           box.bottom_px > camera.height_px + kMargin_px;
+  });
+  if (static_cast<double>(beyond) <= kMost * static_cast<double>(boxes.size())) return;
+  lines.push_back(StrCat(what, ": ", beyond, " of ", boxes.size(),
+                         " boxes end beyond the image of ", camera.width_px, "x", camera.height_px,
+                         " px"));
+}
+
+// Throws Error for boxes as fractions of the image.
+void RefuseFractions(const std::filesystem::path& file, const std::vector<ObjectBox>& boxes) {
+  constexpr double kLargest = 2.0;
+  constexpr std::size_t kFewest = 3;
+  double largest = 0.0;
+  for (const ObjectBox& box : boxes) largest = std::max({largest, box.right_px, box.bottom_px});
+  if (boxes.size() < kFewest || largest > kLargest || largest <= 0.0) return;
+  ThrowError(file.string(), StrCat("boxes that end at ", largest, " or before"),
+             "boxes in pixels, not in parts of the image");
 }
 
 void FindGaps(const Sequence& sequence, const std::vector<double>& steps_s,
@@ -54,15 +99,31 @@ void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
 
 }  // namespace
 
-std::vector<std::string> FindImplausible(const Sequence& sequence) {
-  std::vector<double> steps_s;
-  for (std::size_t i = 1; i < sequence.timestamps_ns.size(); ++i) {
-    steps_s.push_back(
-        1e-9 * static_cast<double>(sequence.timestamps_ns[i] - sequence.timestamps_ns[i - 1]));
+void RefuseImpossible(const Sequence& sequence) {
+  constexpr double kShortest_s = 0.001;
+  const std::vector<double> steps_s = StepsOf(sequence);
+  if (!steps_s.empty() && Median(steps_s) < kShortest_s) {
+    ThrowError(sequence.folder.string() + ", times",
+               StrCat("a median of ", Median(steps_s), " s per frame"),
+               "at most 1000 frames per second (is their unit another one?)");
   }
-  std::vector<std::string> lines;
+  RefuseFractions(sequence.box_sources.detections, sequence.detections);
+  RefuseFractions(sequence.box_sources.labels, sequence.labels);
+}
+
+std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated) {
+  constexpr double kMostRepeated = 0.05;
+  const std::vector<double> steps_s = StepsOf(sequence);
+  std::vector<std::string> lines = sequence.notes;
   FindBaseline(sequence.camera.baseline_m, lines);
+  FindBoxesBeyond(sequence, "detections", sequence.detections, lines);
+  FindBoxesBeyond(sequence, "labels", sequence.labels, lines);
+  const std::size_t frames = sequence.images.size();
+  if (static_cast<double>(repeated) > kMostRepeated * static_cast<double>(frames)) {
+    lines.push_back(StrCat("images: ", repeated, " of ", frames, " frames repeat the one before"));
+  }
   if (steps_s.empty()) return lines;
+  FindSlowRate(steps_s, lines);
   FindGaps(sequence, steps_s, lines);
   FindJumps(sequence, steps_s, lines);
   return lines;

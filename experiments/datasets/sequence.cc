@@ -224,6 +224,11 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   sequence.folder = resolved.folder;
   sequence.name = resolved.folder.filename().string();
   layout.read(resolved, sequence);
+  if (const fs::path import = sequence.folder / "import.json"; fs::exists(import)) {
+    for (const Json& note : ReadJson(import).value("notes", Json::array())) {
+      if (note.is_string()) sequence.notes.push_back(note.get<std::string>());
+    }
+  }
   sequence.type = resolved.type;
   sequence.layout = resolved.layout;
   sequence.box_sources = {resolved.labels_file, resolved.detections_file,
@@ -237,6 +242,7 @@ Sequence OpenSequence(const SequenceRequest& request) try {
   if (sequence.groundtruth.empty()) sequence.groundtruth = "none";
   sequence.groundtruth_world_from_camera.resize(sequence.images.size());
   CheckCamera(sequence.camera, sequence.folder.string() + ", calibration");
+  RefuseImpossible(sequence);
   CutFrames(resolved, sequence);
   PerturbSequence(resolved.perturbation, sequence);
   return sequence;

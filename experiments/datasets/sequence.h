@@ -161,6 +161,7 @@ struct Sequence {
   // rendered scene are not among them: its manifest holds their hashes.
   std::vector<std::filesystem::path> other_files;
   Perturbation perturbation;         // applied to the camera and file choice; to pixels on decoding
+  std::vector<std::string> notes;    // what was inferred or left out on reading, one line each
   std::vector<std::string> missing;  // what a complete folder would also contain, one line each
 };
 
@@ -232,9 +233,13 @@ bool IsTrackingSet(const std::filesystem::path& folder);
 // Removes ".", ".." and a trailing slash, so that the folder has a name and a parent.
 std::filesystem::path NormalFolder(const std::filesystem::path& folder);
 
-// Describes what is well-formed but implausible in the calibration, the timestamps and the true
-// poses of a sequence, one line per finding: a baseline not in metres, a gap between frames, a
-// camera that jumps. Empty if nothing is.
-std::vector<std::string> FindImplausible(const Sequence& sequence);
+// What a stereo sequence can look like (plausibility.cc). RefuseImpossible throws Error for times
+// of more than 1000 frames per second and for boxes in parts of the image. FindImplausible
+// describes what is well-formed but unlikely, one line per finding, with the number that makes it
+// so: a baseline not in metres, a slow rate, a gap between frames, a camera that jumps, boxes
+// beyond the image, images that repeat the ones before (`repeated` frames); and the notes on
+// reading. Empty if nothing is.
+void RefuseImpossible(const Sequence& sequence);
+std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0);
 
 }  // namespace cvo

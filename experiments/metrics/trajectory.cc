@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <queue>
 #include <tuple>
 
 #include "core/base/error.h"
@@ -31,50 +33,81 @@ std::optional<RigidTransform> InterpolatePose(const Trajectory& trajectory, std:
 
 namespace {
 
-using Candidate = std::tuple<std::int64_t, std::size_t, std::size_t>;  // |dt|, a, b
+// A time of either list among the times of both.
+struct MergedTime {
+  std::int64_t time_ns;
+  bool of_b;
+  std::size_t index;
+  std::size_t before, after;  // the untaken ones next to it; kEnd: none
+};
+constexpr std::size_t kEnd = SIZE_MAX;
 
-void CheckIncreasing(const Trajectory& trajectory) {
-  for (std::size_t i = 1; i < trajectory.size(); ++i) {
-    Require(trajectory[i - 1].timestamp_ns < trajectory[i].timestamp_ns,
-            "AssociateByTime: timestamps must increase");
+std::vector<MergedTime> Merge(const Times& a, const Times& b) {
+  std::vector<MergedTime> all;
+  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+    const bool of_b = i == a.size() || (j < b.size() && b[j] < a[i]);
+    const std::size_t at = all.size();
+    all.push_back({of_b ? b[j] : a[i], of_b, of_b ? j : i, at == 0 ? kEnd : at - 1, at + 1});
+    ++(of_b ? j : i);
   }
+  if (!all.empty()) all.back().after = kEnd;
+  return all;
 }
 
-std::vector<Candidate> FindCandidates(const Trajectory& a, const Trajectory& b,
-                                      std::int64_t tolerance_ns) {
-  std::vector<Candidate> candidates;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const std::int64_t time_ns = a[i].timestamp_ns;
-    while (first < b.size() && b[first].timestamp_ns < time_ns - tolerance_ns) ++first;
-    for (std::size_t j = first; j < b.size() && b[j].timestamp_ns <= time_ns + tolerance_ns; ++j) {
-      const std::int64_t distance_ns = b[j].timestamp_ns - time_ns;
-      candidates.emplace_back(distance_ns < 0 ? -distance_ns : distance_ns, i, j);
-    }
-  }
-  return candidates;
+void CheckIncreasing(const Times& times) {
+  Require(std::ranges::adjacent_find(times, std::ranges::greater_equal()) == times.end(),
+          "AssociateByTime: timestamps must increase");
 }
 
 }  // namespace
 
-TimeAssociation AssociateByTime(const Trajectory& a, const Trajectory& b,
-                                std::int64_t tolerance_ns) {
+Times TimesOf(const Trajectory& trajectory) {
+  Times times;
+  for (const TimedPose& pose : trajectory) times.push_back(pose.timestamp_ns);
+  return times;
+}
+
+// The nearest pair of untaken times is always next to each other among the untaken ones.
+TimeAssociation AssociateByTime(const Times& a, const Times& b, std::int64_t tolerance_ns) {
   Require(tolerance_ns >= 0, "AssociateByTime: the tolerance must not be negative");
   CheckIncreasing(a);
   CheckIncreasing(b);
-  std::vector<Candidate> candidates = FindCandidates(a, b, tolerance_ns);
-  std::sort(candidates.begin(), candidates.end());
-  std::vector<bool> taken_a(a.size()), taken_b(b.size());
+  std::vector<MergedTime> all = Merge(a, b);
+  // Distance, index in a, index in b, and where these are in `all`.
+  using Pair = std::tuple<std::int64_t, std::size_t, std::size_t, std::size_t, std::size_t>;
+  std::priority_queue<Pair, std::vector<Pair>, std::greater<>> nearest;
+  const auto offer = [&](std::size_t first, std::size_t second) {
+    if (first == kEnd || second == kEnd || all[first].of_b == all[second].of_b) return;
+    const std::int64_t distance_ns = all[second].time_ns - all[first].time_ns;
+    const std::size_t in_a = all[first].of_b ? second : first;
+    const std::size_t in_b = all[first].of_b ? first : second;
+    if (distance_ns > tolerance_ns) return;
+    nearest.emplace(distance_ns, all[in_a].index, all[in_b].index, first, second);
+  };
+  for (std::size_t i = 1; i < all.size(); ++i) offer(i - 1, i);
+  std::vector<bool> taken(all.size());
   TimeAssociation association;
-  for (const auto& [distance_ns, i, j] : candidates) {
-    if (taken_a[i] || taken_b[j]) continue;
-    taken_a[i] = taken_b[j] = true;
+  while (!nearest.empty()) {
+    const auto [distance_ns, i, j, first, second] = nearest.top();
+    nearest.pop();
+    if (taken[first] || taken[second]) continue;
+    taken[first] = taken[second] = true;
     association.pairs.emplace_back(i, j);
+    const std::size_t before = all[first].before;
+    const std::size_t after = all[second].after;
+    if (before != kEnd) all[before].after = after;
+    if (after != kEnd) all[after].before = before;
+    offer(before, after);
   }
   std::sort(association.pairs.begin(), association.pairs.end());
   association.unmatched_a = a.size() - association.pairs.size();
   association.unmatched_b = b.size() - association.pairs.size();
   return association;
+}
+
+TimeAssociation AssociateByTime(const Trajectory& a, const Trajectory& b,
+                                std::int64_t tolerance_ns) {
+  return AssociateByTime(TimesOf(a), TimesOf(b), tolerance_ns);
 }
 
 std::vector<std::optional<RigidTransform>> PosesAtFrames(const TimeAssociation& truth_estimate,

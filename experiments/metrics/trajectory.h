@@ -30,6 +30,9 @@ struct TimeAssociation {
   std::size_t unmatched_a = 0;
   std::size_t unmatched_b = 0;
 };
+using Times = std::vector<std::int64_t>;  // ns, strictly increasing
+Times TimesOf(const Trajectory& trajectory);
+TimeAssociation AssociateByTime(const Times& a, const Times& b, std::int64_t tolerance_ns);
 TimeAssociation AssociateByTime(const Trajectory& a, const Trajectory& b,
                                 std::int64_t tolerance_ns = kDefaultAssociation_ns);
 

@@ -3,12 +3,14 @@
 #include "experiments/metrics/trajectory_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/calibration/kitti_calibration.h"
@@ -66,33 +68,6 @@ bool HasNan(const TextRow& row) {
   return false;
 }
 
-// Returns the time as an exact number of ns; `unit_ns` is that of the column.
-std::int64_t TimeOf(const TextRow& row, std::int64_t unit_ns) {
-  if (unit_ns == 1'000'000'000) return row.SecondsNs(0);
-  const std::string_view text = row.Text(0);
-  const std::size_t point = std::min(text.find('.'), text.size());
-  const auto whole = ParseInteger(text.substr(0, point));
-  const auto fraction = point < text.size() ? ParseDouble(StrCat("0", text.substr(point))) : 0.0;
-  if (!whole || !fraction ||
-      std::abs(*whole) > std::numeric_limits<std::int64_t>::max() / unit_ns) {
-    row.Fail(StrCat(Quoted(text), " in column 1"), "a time");
-  }
-  return *whole * unit_ns + std::llround(*fraction * static_cast<double>(unit_ns));
-}
-
-std::int64_t UnitOf(const std::vector<TextRow>& rows) {
-  std::vector<double> times;
-  for (const TextRow& row : rows) {
-    if (const auto time = ParseDouble(row.Text(0))) times.push_back(*time);
-  }
-  if (times.empty()) return 1'000'000'000;
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  if (steps.empty()) return TimeUnit_ns(times.front(), 0.0);
-  std::ranges::nth_element(steps, steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
-  return TimeUnit_ns(times.front(), steps[steps.size() / 2]);
-}
-
 // A quaternion of zeros, which tells no rotation, gives the identity.
 struct RowPose {
   RigidTransform pose;
@@ -128,16 +103,25 @@ bool TellsRotations(const Trajectory& poses) {
 
 }  // namespace
 
-std::int64_t TimeUnit_ns(double first, double step) {
-  constexpr double kLongestStep_s = 10.0;
+TimeUnit TimeUnitOf(const std::vector<std::string_view>& texts, double longest_step_s) {
   constexpr double kLargestClock_s = 1e11;
-  std::int64_t per_second = 1;
-  while (per_second < 1'000'000'000 &&
-         (step > kLongestStep_s * static_cast<double>(per_second) ||
-          first > kLargestClock_s * static_cast<double>(per_second))) {
-    per_second *= 1000;
+  constexpr std::array kNames = {"s", "ms", "us", "ns"};
+  std::vector<double> times;
+  for (const std::string_view text : texts) {
+    if (const auto time = ParseDouble(text)) times.push_back(*time);
   }
-  return 1'000'000'000 / per_second;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  const double step = steps.empty() ? 0.0 : Median(std::move(steps));
+  double per_second = 1.0;
+  std::size_t unit = 0;
+  while (unit + 1 < kNames.size() &&
+         (step > longest_step_s * per_second ||
+          (!times.empty() && times.front() > kLargestClock_s * per_second))) {
+    per_second *= 1000.0;
+    ++unit;
+  }
+  return {kNames[unit], static_cast<std::int64_t>(1e9 / per_second), step / per_second};
 }
 
 TrajectoryFile ReadTrajectory(const std::filesystem::path& path) {
@@ -159,9 +143,12 @@ TrajectoryFile ReadTrajectory(const std::filesystem::path& path) {
     rows.push_back(row);
     read.lines.push_back(i + 1);
   }
-  const std::int64_t unit_ns = UnitOf(rows);
+  std::vector<std::string_view> times;
+  for (const TextRow& row : rows) times.push_back(row.Text(0));
+  constexpr double kLongestStep_s = 10.0;  // between keyframes
+  const TimeUnit unit = TimeUnitOf(times, kLongestStep_s);
   for (const TextRow& row : rows) {
-    const std::int64_t time_ns = TimeOf(row, unit_ns);
+    const std::int64_t time_ns = row.TimeNs(0, unit.ns);
     if (!read.poses.empty() && time_ns <= read.poses.back().timestamp_ns) {
       row.Fail("time " + Quoted(row.Text(0)),
                StrCat("one after ", FormatSecondsNs(read.poses.back().timestamp_ns)));

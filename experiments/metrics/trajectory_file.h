@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
@@ -33,15 +34,20 @@ struct TrajectoryFile {
 // Reads one pose per line: time, position, quaternion. Columns are divided by blanks (TUM: x y z w)
 // or commas, in the order of the header's names or, without one, that of EuRoC and VINS-Fusion (w x
 // y z); a comma at the end and further columns are ignored. Times are in s, ms, us or ns
-// (TimeUnit_ns). Lines of comments start with #. Quaternions are normalised if their length is
+// (TimeUnitOf). Lines of comments start with #. Quaternions are normalised if their length is
 // within 0.05 of 1. Throws Error with file and line.
 TrajectoryFile ReadTrajectory(const std::filesystem::path& path);
 // Written files read back as the same trajectory, with times exact to 1 ns.
 std::string FormatTumTrajectory(const Trajectory& trajectory);
 
-// The unit of times, in ns, from the first of them and their median step, both in that unit: clocks
-// count seconds from 1970 in 10 digits, and no camera waits longer than 10 s.
-std::int64_t TimeUnit_ns(double first, double step);
+// The unit of times, and their median step in it: the longest one in which the step is at most
+// `longest_step_s` and the first time a clock's, which counts seconds from 1970 in 10 digits.
+struct TimeUnit {
+  const char* name = "s";  // s, ms, us, ns
+  std::int64_t ns = 1'000'000'000;
+  double step_s = 0.0;
+};
+TimeUnit TimeUnitOf(const std::vector<std::string_view>& texts, double longest_step_s);
 
 // KITTI pose files: world_from_camera of frame i in line i, without timestamps. Reading is strict
 // and throws Error with file and line. Written numbers read back as the same doubles.

@@ -229,6 +229,12 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   if (hashes.size() < sequence.images.size()) hashes = ImagesOf(request);
   result.content = ContentHash(sequence, hashes);
   result.images_hash = ImagesHash(hashes);
+  std::size_t repeated = 0;
+  for (std::size_t i = 1; i < hashes.size(); ++i) {
+    if (hashes[i].left == hashes[i - 1].left && hashes[i].right == hashes[i - 1].right) ++repeated;
+  }
+  const bool as_recorded = PerturbationToJson(sequence.perturbation).empty();
+  result.warnings = FindImplausible(sequence, as_recorded ? repeated : 0);
   result.job = JobOf(request, result.content);
   return result;
 }
@@ -273,7 +279,6 @@ std::optional<RunResult> RunJob(const RunRequest& request, const std::filesystem
   run->timing.job = run->job;
   run->timing.threads = request.threads;
   run->timing.paths = PathsOf(request.sequence, folder);
-  run->warnings = FindImplausible(request.sequence);
   run->scores = ScoreRun(*run, bodies);
   WriteRunFiles(folder, *run, bodies, std::move(landmarks));
   return run;

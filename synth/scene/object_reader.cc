@@ -129,10 +129,12 @@ Eigen::Vector3d ObjectReader::Vector3Or(const std::string& key, Range range,
 
 std::vector<std::vector<double>> ObjectReader::Rows(const std::string& key, Range range, int size,
                                                     int least) {
+  constexpr int kMost = 1000;
   const Json& value = Value(key);
-  if (!value.is_array() || static_cast<int>(value.size()) < least) {
-    ThrowError(Where(key), Shown(value),
-               StrCat("a list of at least ", least, " lists of ", size, " numbers"));
+  const int count = value.is_array() ? static_cast<int>(value.size()) : 0;
+  if (count < least || count > kMost) {
+    ThrowError(Where(key), count > kMost ? StrCat(count, " lists") : Shown(value),
+               StrCat("a list of ", least, " to ", kMost, " lists of ", size, " numbers"));
   }
   std::vector<std::vector<double>> rows;
   for (const Json& element : value) {

@@ -232,7 +232,7 @@ struct Copies {
 
 Copies ParseCopies(ObjectReader reader) {
   Copies copies;
-  copies.count = reader.Integer("count", {1, 70000});
+  copies.count = reader.Integer("count", {1, 1000});
   copies.spacing_m = reader.Number("spacing_m", {0.01, 1e4});
   if (reader.Has("direction_deg")) {
     copies.direction_rad =
@@ -289,7 +289,7 @@ void ParseObject(ObjectReader& reader, SceneParts& scene) {
 }
 
 void CheckObjects(const SceneParts& scene, const std::string& where) {
-  constexpr std::size_t kMaxBodies = 65535;  // instance masks have 16 bits
+  constexpr std::size_t kMaxBodies = 1000;  // which take seconds per frame
   if (scene.objects.size() > kMaxBodies) {
     ThrowError(where + ", objects", StrCat(scene.objects.size(), " bodies"),
                StrCat("at most ", kMaxBodies));

@@ -132,7 +132,7 @@ std::vector<Parser> SequenceParsers() {
          const CalibrationFile calibration(file);
          (void)CameraRig(calibration, "P").Stereo(0, 1, 256, 128);
        }},
-      {"times", {"0\n0.1\n2e-1\n"}, [](const fs::path& file) { ReadSecondsTimes(file); }},
+      {"times", {"0\n0.1\n2e-1\n"}, [](const fs::path& file) { ReadTimes(file); }},
       {"dates",
        {"2011-09-26 13:02:25.964389445\n2011-09-26 13:02:26.064389445\n"},
        [](const fs::path& file) { ReadDateTimes(file); }},

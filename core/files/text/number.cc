@@ -85,12 +85,13 @@ std::optional<std::int64_t> ParseInteger(std::string_view text) {
 
 std::optional<int> ParseInt(std::string_view text) { return ParseWhole<int>(text); }
 
-std::optional<std::int64_t> ParseSecondsNs(std::string_view text) {
+std::optional<std::int64_t> ParseTimeNs(std::string_view text, std::int64_t unit_ns) {
   const std::optional<Decimal> decimal = ParseDecimal(text);
   if (!decimal) return std::nullopt;
   const std::string& digits = decimal->digits;
   // Number of digits before the decimal point in units of 1 ns.
-  const std::ptrdiff_t whole = std::ssize(digits) + decimal->exponent + 9;
+  std::ptrdiff_t whole = std::ssize(digits) + decimal->exponent;
+  for (; unit_ns > 1; unit_ns /= 10) ++whole;
   std::int64_t magnitude = 0;
   for (std::ptrdiff_t i = 0; i < whole; ++i) {
     const int digit = i < std::ssize(digits) ? digits[static_cast<std::size_t>(i)] - '0' : 0;
@@ -101,6 +102,10 @@ std::optional<std::int64_t> ParseSecondsNs(std::string_view text) {
       whole >= 0 && whole < std::ssize(digits) && digits[static_cast<std::size_t>(whole)] >= '5';
   if (rounds_up) ++magnitude;
   return decimal->negative ? -magnitude : magnitude;
+}
+
+std::optional<std::int64_t> ParseSecondsNs(std::string_view text) {
+  return ParseTimeNs(text, 1'000'000'000);
 }
 
 std::string FormatSecondsNs(std::int64_t time_ns) {

@@ -17,8 +17,9 @@ namespace cvo {
 
 // Parses decimal seconds ("1305031102.175304", "1.000000e-01") to ns, without going through double.
 // Digits beyond the ninth are rounded, half away from zero. Empty if the text is not a number, or
-// for a time beyond 146 years.
+// for a time beyond 146 years. ParseTimeNs does so for another unit, a power of ten.
 [[nodiscard]] std::optional<std::int64_t> ParseSecondsNs(std::string_view text);
+[[nodiscard]] std::optional<std::int64_t> ParseTimeNs(std::string_view text, std::int64_t unit_ns);
 std::string FormatSecondsNs(std::int64_t time_ns);
 
 // Returns the shortest decimal that parses back to the same double.

@@ -4,13 +4,17 @@
 // runs.
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <numbers>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/text/closest_names.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "core/record/run_summary.h"
+#include "experiments/cli/command.h"
 #include "experiments/cli/reports/reports.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/sequence_parts.h"
@@ -156,7 +160,13 @@ PlotInput ReadPlotInput(const std::string& path) {
       TrajectoryFile file = ReadTrajectory(path);
       input.poses = std::move(file.poses);
       input.has_rotations = file.has_rotations;
-      input.left_out = file.left_out.size();
+      if (!file.left_out.empty()) {
+        std::cerr << "note: " << path << ": " << file.left_out.size() << " rows of NaN left out\n";
+      }
+      if (!file.has_rotations) {
+        std::cerr << "note: " << path << ": quaternions that are all zero or all the same, so no "
+                  << "errors of rotation\n";
+      }
     } else {
       input.poses = ReadKittiTrajectory(path);
     }
@@ -195,44 +205,77 @@ void MakeComparable(std::vector<PlotInput>& inputs) {
 std::optional<PlotReference> ReferenceAmong(const std::vector<PlotInput>& inputs) {
   for (const PlotInput& input : inputs) {
     if (input.truth.empty()) continue;
-    return PlotReference{"truth of " + input.sequence, input.truth, true, true};
+    return PlotReference{"truth of " + input.sequence, input.truth, true, true, true};
   }
   if (inputs.size() < 2) return std::nullopt;
-  return PlotReference{inputs.front().name, inputs.front().poses, false, false};
+  const PlotInput& first = inputs.front();
+  return PlotReference{first.name, first.poses, false, false, first.has_rotations};
 }
+
+namespace {
+
+std::string RangeText(const Trajectory& poses) {
+  return StrCat(FormatSecondsNs(poses.front().timestamp_ns), " to ",
+                FormatSecondsNs(poses.back().timestamp_ns), " s");
+}
+
+}  // namespace
 
 PlotTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
                      const PlotMatching& matching) {
-  const TimeAssociation association =
-      AssociateByTime(reference.poses, input.poses, matching.tolerance_ns);
-  if (association.pairs.size() < 2) {
+  Trajectory shifted = input.poses;
+  for (TimedPose& pose : shifted) pose.timestamp_ns += matching.offset_ns;
+  PlotTrack track{.name = input.name,
+                  .matches = AssociateByTime(reference.poses, shifted, matching.tolerance_ns)};
+  if (track.matches.pairs.size() < 2) {
     ThrowError(input.path,
-               StrCat(association.pairs.size(), " poses that match one of ", reference.name),
-               StrCat("2 or more within ", Seconds(matching.tolerance_ns), " s"));
+               StrCat(track.matches.pairs.size(), " poses that match one of ", reference.name,
+                      ", at ", RangeText(shifted)),
+               StrCat("2 or more within ", Seconds(matching.tolerance_ns), " s of ",
+                      RangeText(reference.poses)));
   }
-  PlotTrack track{.name = input.name, .matched = association.pairs.size()};
+  const bool rotations = reference.has_rotations && input.has_rotations;
+  if (!rotations && matching.alignment == TrajectoryAlignment::kOrigin) {
+    ThrowError(input.path, "positions without rotations", "--align se3, sim3, yaw or none");
+  }
   CommonPoses poses;
-  for (const auto& [i, k] : association.pairs) {
+  for (const auto& [i, k] : track.matches.pairs) {
     poses.frames.push_back(static_cast<int>(i));
     poses.truth.push_back(reference.poses[i].world_from_camera);
-    poses.estimate.push_back(input.poses[k].world_from_camera);
-    track.times_s.push_back(Seconds(input.poses[k].timestamp_ns));
+    poses.estimate.push_back(shifted[k].world_from_camera);
+    track.times_s.push_back(Seconds(shifted[k].timestamp_ns));
   }
   const Eigen::Vector3d up =
       matching.z_up ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitY());
   const Similarity moved = AlignTrajectory(poses, matching.alignment, up);
   track.scale = moved.scale;
-  for (const TimedPose& pose : input.poses) {
+  for (const TimedPose& pose : shifted) {
     track.poses.push_back({pose.timestamp_ns, moved * pose.world_from_camera});
   }
   for (std::size_t i = 0; i < poses.size(); ++i) {
     track.errors_m.push_back(
         (moved * poses.estimate[i].translation() - poses.truth[i].translation()).norm());
   }
+  if (!rotations) return track;
   for (const double error_rad : OrientationErrors(poses, matching.alignment, moved)) {
     track.errors_deg.push_back(error_rad * 180.0 / std::numbers::pi);
   }
   return track;
+}
+
+void PrintTracks(const std::vector<PlotTrack>& tracks) {
+  TextTable table({"trajectory", "poses", "matched", "rms m", "mean m", "median m", "max m",
+                   "rms deg", "scale"});
+  for (const PlotTrack& track : tracks) {
+    if (track.errors_m.empty()) continue;
+    const std::optional<double> deg = RootMeanSquare(track.errors_deg);
+    table.Add({track.name, StrCat(track.poses.size()), StrCat(track.errors_m.size()),
+               ReadableNumber(RootMeanSquare(track.errors_m).value()),
+               ReadableNumber(MeanOf(track.errors_m)), ReadableNumber(Median(track.errors_m)),
+               ReadableNumber(*std::max_element(track.errors_m.begin(), track.errors_m.end())),
+               deg ? ReadableNumber(*deg) : "-", ReadableNumber(track.scale)});
+  }
+  if (table.Lines().size() > 1) table.Print(std::cout);
 }
 
 }  // namespace cvo

@@ -64,12 +64,13 @@ PlotContent ReadContent(const PlotFlags& flags) {
   if (!flags.groundtruth.empty()) {
     const PlotInput truth = std::move(content.inputs.back());
     content.inputs.pop_back();
-    content.reference = PlotReference{truth.name, truth.poses, true, false};
+    content.reference = PlotReference{truth.name, truth.poses, true, false, truth.has_rotations};
   } else {
     content.reference = ReferenceAmong(content.inputs);
   }
   content.matching = {AlignmentOf(flags.align, content), flags.up == "z",
-                      static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s))};
+                      static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s)),
+                      0};
   for (const PlotInput& input : content.inputs) {
     const bool is_reference =
         content.reference && !content.reference->is_truth && content.tracks.empty();
@@ -102,21 +103,6 @@ std::string CaptionOf(const PlotContent& content) {
         StrCat(" Distances are from ", content.reference->name, ", which is no ground truth.");
   }
   return caption;
-}
-
-void PrintSummary(const std::vector<PlotTrack>& tracks) {
-  TextTable table(
-      {"trajectory", "poses", "matched", "rms m", "mean m", "max m", "rms deg", "scale"});
-  for (const PlotTrack& track : tracks) {
-    if (track.matched == 0) continue;
-    table.Add({track.name, StrCat(track.poses.size()), StrCat(track.matched),
-               ReadableNumber(RootMeanSquare(track.errors_m).value()),
-               ReadableNumber(MeanOf(track.errors_m)),
-               ReadableNumber(*std::max_element(track.errors_m.begin(), track.errors_m.end())),
-               ReadableNumber(RootMeanSquare(track.errors_deg).value()),
-               ReadableNumber(track.scale)});
-  }
-  if (table.Lines().size() > 1) table.Print(std::cout);
 }
 
 struct Path {
@@ -224,10 +210,12 @@ reports::Figure FigureOf(const PlotContent& content) {
     Series series{SeriesKind::kLine, track.name, palette.Line(track.name), {}};
     std::vector<double> time;
     for (const double at_s : track.times_s) time.push_back(at_s - axes.first_s);
-    if (track.matched > 0) {
+    if (!track.errors_m.empty()) {
       series.name += StrCat(": ", NumberText(RootMeanSquare(track.errors_m).value()), " m rms");
       panels[4].series.push_back(LineThrough(series, time, time, track.errors_m));
-      panels[5].series.push_back(LineThrough(series, time, time, track.errors_deg));
+      if (!track.errors_deg.empty()) {
+        panels[5].series.push_back(LineThrough(series, time, time, track.errors_deg));
+      }
     }
     AddTrack(track.poses, series, axes, panels);
   }
@@ -236,6 +224,7 @@ reports::Figure FigureOf(const PlotContent& content) {
     if (bodies) AddBody(body, palette.Line(names.front()), axes, panels[0]);
   }
   reports::Figure figure{"", TitleOf(content), CaptionOf(content), {}};
+  if (reference && panels[5].series.empty()) panels.pop_back();  // no rotations
   figure.chart.panels = std::move(panels);
   figure.chart.share_x = true;
   return figure;
@@ -257,7 +246,7 @@ int DrawPlot(const PlotFlags& flags) {
   const reports::Figure figure = FigureOf(content);
   WriteOutputFile(flags.suite.output, FigureFile(figure, flags.suite.style, format), read);
   std::cout << figure.title << '\n';
-  PrintSummary(content.tracks);
+  PrintTracks(content.tracks);
   std::cout << "written: " << flags.suite.output << '\n';
   return 0;
 }

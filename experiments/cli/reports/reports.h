@@ -121,13 +121,13 @@ struct PlotInput {
   Trajectory poses;                         // row i of a KITTI file is at time i s
   bool timed = true;                        // false for a KITTI file
   bool has_rotations = true;                // TrajectoryFile::has_rotations
-  std::size_t left_out = 0;                 // rows with NaN
   Trajectory truth;                         // runs only, in the world of the run; may be empty
   std::vector<reports::BodyDetail> bodies;  // runs only
 };
 
 // Reads a trajectory. A folder is a run; a file is in KITTI's format or one that ReadTrajectory
-// reads. Throws Error naming the file, the line and what was expected.
+// reads. Tells on stderr how many rows of NaN are left out, and that a file has no rotations.
+// Throws Error naming the file, the line and what was expected.
 PlotInput ReadPlotInput(const std::string& path);
 
 // Makes the names unique and the times comparable: if one of the inputs is a KITTI file, all poses
@@ -140,6 +140,7 @@ struct PlotReference {
   Trajectory poses;
   bool is_truth = true;  // false: it is the first trajectory
   bool of_run = false;   // it is the truth of a run, in the world of that run
+  bool has_rotations = true;
 };
 
 // Returns the truth of the first run that has one, otherwise the first of several trajectories,
@@ -150,23 +151,26 @@ struct PlotMatching {
   TrajectoryAlignment alignment = TrajectoryAlignment::kSe3;
   bool z_up = false;  // of the world; otherwise y points down
   std::int64_t tolerance_ns = 0;
+  std::int64_t offset_ns = 0;  // added to the times of trajectories, not to the reference's
 };
 
 // A trajectory as it is drawn and, if it was compared to a reference, its errors.
 struct PlotTrack {
   std::string name;
   Trajectory poses = {};             // aligned with the reference
-  std::size_t matched = 0;           // number of matched poses; 0: not compared
+  TimeAssociation matches = {};      // with the reference; none: not compared
   std::vector<double> times_s = {};  // of the matched poses
   std::vector<double> errors_m = {};
-  std::vector<double> errors_deg = {};
+  std::vector<double> errors_deg = {};  // none unless both have rotations
   double scale = 1.0;
 };
 
 // Aligns a trajectory with the reference and computes its errors. Throws Error if fewer than two
-// poses match.
+// poses match, or if an alignment needs rotations that are not known.
 PlotTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
                      const PlotMatching& matching);
+// Prints a row of errors per compared trajectory.
+void PrintTracks(const std::vector<PlotTrack>& tracks);
 
 double Seconds(std::int64_t time_ns);
 

@@ -94,6 +94,8 @@ Outcome DetectAll(const Sequence& sequence, DetectorModel& model, const Detector
 
 int DetectBoxes(DetectFlags& flags) {
   if (!flags.input.empty()) flags.files.input = ParseInput(flags.input);
+  flags.files.layout = EnumOf<OutputLayout>(flags.sequence.layout_flag);
+  if (flags.files.layout) flags.sequence.layout_flag.clear();
   const Sequence sequence = OpenSequence(flags.sequence.Request());
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
   read.insert(read.end(), {flags.files.model, flags.files.weights, flags.files.names});
@@ -144,6 +146,9 @@ Command AddDetectCommand(CLI::App& program) {
   add("-o,--output", flags->output, "FILE", "file to write, in KITTI tracking's format")
       ->required();
   app->footer(
+      "The layout of a network's output is found by its sizes and values. Where these leave it "
+      "open, "
+      "--layout\nNAME states it: yolox, yolox_decoded, yolov5, yolov8 or end2end.\n"
       "COCO's classes are written as KITTI's (car: Car, person: Pedestrian). No network is "
       "included;\nexperiments/README.md says where to download one.\n"
       "Example: clustervo detect drive_0013 --model yolov3.cfg --names coco.names -o boxes.txt\n"

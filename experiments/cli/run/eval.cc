@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/json/json.h"
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
@@ -20,6 +21,7 @@
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/system_run.h"
 #include "experiments/suite/build_plan.h"
+#include "reports/figures/figure_style.h"
 
 namespace cvo {
 namespace {
@@ -28,7 +30,11 @@ namespace fs = std::filesystem;
 
 struct TrajectoryFlags {
   std::string groundtruth;
-  std::string estimate;
+  std::vector<std::string> estimates;
+  std::vector<std::string> files;  // the ground truth, then estimates
+  std::string align = "se3";
+  std::string up = "y";
+  double time_offset_s = 0.0;
   bool json = false;
   SequenceFlags sequence;  // scored against its own truth; without a folder: two files
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
@@ -38,47 +44,98 @@ struct TrajectoryFlags {
   double right_shift_px = 0.0;
 };
 
-int EvaluateFiles(const TrajectoryFlags& flags) {
-  std::vector<PlotInput> inputs = {ReadPlotInput(flags.groundtruth), ReadPlotInput(flags.estimate)};
-  MakeComparable(inputs);
-  const Trajectory& truth = inputs[0].poses;
-  const Trajectory& estimate = inputs[1].poses;
-  const TimeAssociation association = AssociateByTime(
-      truth, estimate, static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s)));
-  const std::size_t matched = association.pairs.size();
-  if (matched < 2) {
-    ThrowError(flags.estimate, StrCat(matched, " poses that match one of the truth"),
-               StrCat("2 or more within ", flags.max_time_difference_s, " s"));
-  }
-  OptionalPoses true_poses;
-  for (const TimedPose& pose : truth) true_poses.emplace_back(pose.world_from_camera);
+std::vector<Metric> MetricsOf(const PlotReference& truth, const PlotInput& input,
+                              const PlotTrack& track, TrajectoryAlignment alignment) {
+  OptionalPoses poses;
+  for (const TimedPose& pose : truth.poses) poses.emplace_back(pose.world_from_camera);
   std::vector<Metric> metrics = EvaluateCamera(
-      true_poses, PosesAtFrames(association, truth.size(), estimate), reports::TruthSource::kFile);
+      poses, PosesAtFrames(track.matches, poses.size(), input.poses), reports::TruthSource::kFile);
   StatePoses(reports::PoseTime::kFile, 0.0, metrics);
-  for (const PlotInput& input : inputs) {
-    if (input.left_out > 0) {
-      std::cerr << "note: " << input.path << ": " << input.left_out << " rows of NaN left out\n";
+  std::erase_if(metrics, [&](const Metric& metric) {
+    const bool ate = metric.name.starts_with("camera_ate");
+    if (ate) return alignment != TrajectoryAlignment::kSe3;  // which its contract states
+    return track.errors_deg.empty() && metric.name != "camera_coverage" &&
+           metric.name != "camera_path_error";
+  });
+  return metrics;
+}
+
+Json EvaluationJson(const PlotTrack& track, const std::vector<Metric>& metrics,
+                    TrajectoryAlignment alignment) {
+  return {{"matched", track.matches.pairs.size()},
+          {"unmatched_groundtruth", track.matches.unmatched_a},
+          {"unmatched_estimate", track.matches.unmatched_b},
+          {"alignment", NameOf(alignment)},
+          {"scale", track.scale},
+          {"rms_m", RootMeanSquare(track.errors_m).value()},
+          {"metrics", ToJson(metrics)}};
+}
+
+// Prints a column per trajectory.
+void PrintEvaluations(const std::vector<PlotTrack>& tracks,
+                      const std::vector<std::vector<Metric>>& all) {
+  std::vector<std::string> header = {"metric"};
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    header.push_back(tracks[i].name);
+    for (const Metric& metric : all[i]) AddOnce(metric.name, names);
+  }
+  header.emplace_back("unit");
+  TextTable table(header);
+  for (const std::string& name : names) {
+    std::vector<std::string> row = {name};
+    std::string unit;
+    for (const std::vector<Metric>& metrics : all) {
+      const Metric* metric = FindMetric(metrics, name);
+      row.push_back(metric == nullptr ? "-" : ReadableNumber(metric->value));
+      if (metric != nullptr) unit = NameOf(metric->unit);
     }
-    if (input.has_rotations) continue;
-    std::cerr << "note: " << input.path << ": quaternions that are all zero or all the same, so no "
-              << "metric of rotations\n";
-    std::erase_if(metrics, [](const Metric& metric) {
-      return !metric.name.starts_with("camera_ate") && metric.name != "camera_coverage" &&
-             metric.name != "camera_path_error";
-    });
+    row.push_back(unit);
+    table.Add(std::move(row));
+  }
+  table.Print(std::cout);
+}
+
+int EvaluateFiles(const TrajectoryFlags& flags) {
+  std::vector<PlotInput> inputs;
+  for (const std::string& file : flags.estimates) inputs.push_back(ReadPlotInput(file));
+  inputs.push_back(ReadPlotInput(flags.groundtruth));
+  MakeComparable(inputs);
+  const PlotReference truth = {inputs.back().name, inputs.back().poses, true, false,
+                               inputs.back().has_rotations};
+  inputs.pop_back();
+  const PlotMatching matching = {
+      ParseTrajectoryAlignment(flags.align), flags.up == "z",
+      static_cast<std::int64_t>(std::llround(1e9 * flags.max_time_difference_s)),
+      static_cast<std::int64_t>(std::llround(1e9 * flags.time_offset_s))};
+  std::vector<PlotTrack> tracks;
+  std::vector<std::vector<Metric>> metrics;
+  Json evaluations = Json::array();
+  for (const PlotInput& input : inputs) {
+    tracks.push_back(MatchTrack(truth, input, matching));
+    metrics.push_back(MetricsOf(truth, input, tracks.back(), matching.alignment));
+    evaluations.push_back(EvaluationJson(tracks.back(), metrics.back(), matching.alignment));
+    evaluations.back()["estimate"] = input.name;
   }
   if (flags.json) {
-    std::cout << DumpJson({{"schema_version", 2},
-                           {"kind", "evaluation"},
-                           {"matched", matched},
-                           {"unmatched_groundtruth", association.unmatched_a},
-                           {"unmatched_estimate", association.unmatched_b},
-                           {"metrics", ToJson(metrics)}});
+    Json json = {{"schema_version", 2}, {"kind", "evaluation"}};
+    if (inputs.size() == 1) {
+      json.update(evaluations[0]);
+    } else {
+      json["estimates"] = std::move(evaluations);
+    }
+    std::cout << DumpJson(json);
     return 0;
   }
-  std::cout << matched << " poses matched, unmatched: " << association.unmatched_a
-            << " of the ground truth, " << association.unmatched_b << " of the estimate\n\n";
-  PrintMetrics(metrics, std::cout);
+  for (const PlotTrack& track : tracks) {
+    std::cout << track.name << ": " << track.matches.pairs.size()
+              << " poses matched, unmatched: " << track.matches.unmatched_a
+              << " of the ground truth, " << track.matches.unmatched_b << " of the estimate\n";
+  }
+  std::cout << '\n' << reports::Capitalised(DescriptionOf(matching.alignment)) << ":\n";
+  PrintTracks(tracks);
+  std::cout << '\n';
+  PrintEvaluations(tracks, metrics);
   return 0;
 }
 
@@ -120,7 +177,7 @@ void PrintOutcome(const Sequence& sequence, const TrajectoryFlags& flags,
 }
 
 int EvaluateSequence(const TrajectoryFlags& flags) {
-  const std::string& estimate = flags.estimate;
+  const std::string& estimate = flags.estimates.front();
   const Sequence sequence = OpenSequence(flags.sequence.Request());
   std::unique_ptr<const OutputFolder> output;
   if (!flags.output.empty()) {
@@ -152,9 +209,22 @@ int EvaluateSequence(const TrajectoryFlags& flags) {
 const std::vector<std::string> kOfSequence = {"--type",   "--pair",          "--frames",
                                               "--labels", "--labels-camera", "--objects",
                                               "--name",   "--output",        "--right-shift"};
-const std::vector<std::string> kOfFiles = {"--max-time-difference"};
+const std::vector<std::string> kOfFiles = {"--max-time-difference", "--align", "--time-offset",
+                                           "--up"};
 
-void CheckUsage(const CLI::App& app, const TrajectoryFlags& flags) {
+// Sorts the files given without a flag, and refuses flags of the other mode.
+void CheckUsage(const CLI::App& app, TrajectoryFlags& flags) {
+  const bool of_sequence = app.count("--sequence") > 0;
+  std::vector<std::string>& files = flags.files;
+  if (!of_sequence && flags.groundtruth.empty() && !files.empty()) {
+    flags.groundtruth = files.front();
+    files.erase(files.begin());
+  }
+  flags.estimates.insert(flags.estimates.begin(), files.begin(), files.end());
+  if (flags.estimates.empty() || (of_sequence && flags.estimates.size() > 1)) {
+    throw CLI::ValidationError(
+        "expected GROUNDTRUTH ESTIMATE..., or --sequence FOLDER and one estimate");
+  }
   if (app.count("--sequence") > 0) {
     RefuseFlags(
         app, kOfFiles,
@@ -174,7 +244,18 @@ Command AddTrajectoryCommand(CLI::App& eval) {
   const FlagAdder add{*app};
   add("--groundtruth", flags->groundtruth, "FILE",
       "ground truth: a file in the format of TUM, KITTI or EuRoC");
-  add("--estimate", flags->estimate, "FILE", "trajectory file")->required();
+  add("--estimate", flags->estimates, "FILE", "trajectory file")->expected(1);
+  add("FILE", flags->files, "", "the ground truth, then the trajectories to score");
+  add("--align", flags->align, "NAME",
+      "how estimates are aligned: none, se3, sim3 (with scale), origin (at the first common pose) "
+      "or yaw (about the vertical, and translation)")
+      ->check(OneOf({"none", "se3", "sim3", "origin", "yaw"}))
+      ->capture_default_str();
+  add("--up", flags->up, "AXIS", "vertical axis for yaw: y (down, as cameras have it) or z (up)")
+      ->check(OneOf({"y", "z"}))
+      ->capture_default_str();
+  add("--time-offset", flags->time_offset_s, "SECONDS", "added to the times of estimates")
+      ->check(Within(-1e9, 1e9));
   add("--sequence", flags->sequence.folder, "FOLDER",
       "use the ground truth of this sequence instead of a file");
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
@@ -192,14 +273,15 @@ Command AddTrajectoryCommand(CLI::App& eval) {
       ->check(Within(-100.0, 100.0));
   for (const std::string& flag : kOfSequence) app->get_option(flag)->group("With --sequence");
   app->footer(
-      "Poses are world_from_camera. For ATE, the estimate is aligned by SE(3) over "
-      "positions.\nWith --sequence, camera and objects are scored in the same way as a run. "
+      "Poses are world_from_camera. camera_ate is defined by SE(3) over positions, so that other "
+      "alignments\nhave the errors of their table alone.\nWith --sequence, camera and objects are "
+      "scored in the same way as a run. "
       "Objects are KITTI\ntracking rows with 3D boxes in rectified camera 0, or a folder of "
       "<id>.tum files with\nworld_from_object. They have no landmarks and are therefore matched to "
       "ground-truth bodies by\ndistance, as the contracts state; unlike in run, velocities are "
       "differences of their poses.\n"
       "Examples:\n"
-      "  clustervo eval trajectory --groundtruth poses/06.txt --estimate OUT/camera.kitti\n"
+      "  clustervo eval trajectory poses/06.txt OUT/camera.kitti other.kitti\n"
       "  clustervo eval trajectory --sequence scenes/indoor_1 --estimate cam.tum \\\n"
       "      --objects tracks.kitti --name other -o results/other_indoor_1");
   app->final_callback([app, flags] { CheckUsage(*app, *flags); });

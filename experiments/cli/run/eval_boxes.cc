@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/text/number.h"
 #include "experiments/cli/command.h"
 #include "experiments/metrics/boxes/average_precision.h"
@@ -40,14 +43,42 @@ struct TrackingOfSpace {
   IdentityScores identity;
 };
 
-// If there is no 3D box at all, the boxes come from a 2D detector and are only scored in the image.
+using Boxes = std::vector<ObjectBox> ApFrame::*;
+
+template <typename Has>
+bool AnyDetection(const std::vector<ApFrame>& frames, const Has& has) {
+  return std::ranges::any_of(
+      frames, [&](const ApFrame& frame) { return std::ranges::any_of(frame.detections, has); });
+}
+
+// If there is no 3D box at all, the boxes come from a 2D detector and are only scored in the image;
+// if none is in the image, they are only scored in 3D.
 std::vector<BoxSpace> SpacesOf(const std::vector<ApFrame>& frames) {
-  const bool has_3d = std::any_of(frames.begin(), frames.end(), [](const ApFrame& frame) {
-    return std::any_of(frame.detections.begin(), frame.detections.end(),
-                       [](const ObjectBox& box) { return box.box3d.has_value(); });
-  });
-  if (!has_3d) return {BoxSpace::kImage};
+  if (!AnyDetection(frames, [](const ObjectBox& box) { return !!box.box3d; })) {
+    return {BoxSpace::kImage};
+  }
+  if (!AnyDetection(frames, &ObjectBox::IsInImage)) return {BoxSpace::kBirdsEye, BoxSpace::kVolume};
   return {BoxSpace::kImage, BoxSpace::kBirdsEye, BoxSpace::kVolume};
+}
+
+// Returns "8 Car, 2 Van".
+std::string ClassesText(const std::vector<ApFrame>& frames, Boxes boxes) {
+  std::map<std::string, int> counts;
+  for (const ApFrame& frame : frames) {
+    for (const ObjectBox& box : frame.*boxes) ++counts[box.type];
+  }
+  std::string text;
+  for (const auto& [type, count] : counts) {
+    text += StrCat(text.empty() ? "" : ", ", count, " ", type);
+  }
+  return text.empty() ? "none" : text;
+}
+
+// Without a label, no score tells anything.
+void RefuseNoLabel(const BoxFlags& flags, const std::vector<ApFrame>& frames, bool any) {
+  if (any) return;
+  ThrowError(flags.labels, "labels: " + ClassesText(frames, &ApFrame::labels),
+             StrCat("at least one of ", flags.category, " that the benchmark counts"));
 }
 
 std::vector<ApOfSpace> AveragePrecisions(const BoxFlags& flags,
@@ -60,6 +91,7 @@ std::vector<ApOfSpace> AveragePrecisions(const BoxFlags& flags,
     protocol.least_overlap = flags.least_overlap.value_or(flags.category == "Car" ? 0.7 : 0.5);
     protocol.truncation = *EnumOf<TruncationRule>(flags.truncation);
     const auto levels = EvaluateAp(frames, protocol);
+    RefuseNoLabel(flags, frames, levels.back().valid_labels > 0);
     all.push_back({protocol, {levels.begin(), levels.end()}});
   }
   return all;
@@ -71,6 +103,7 @@ std::vector<TrackingOfSpace> TrackingScores(const BoxFlags& flags,
   for (const BoxSpace space : SpacesOf(frames)) {
     if (space == BoxSpace::kBirdsEye) continue;
     const TrackedSequence sequence = CountedBoxes(frames, flags.category, space);
+    RefuseNoLabel(flags, frames, sequence.truth_count > 0);
     all.push_back(
         {space, EvaluateHota(sequence), EvaluateClear(sequence), EvaluateIdentities(sequence)});
   }
@@ -118,18 +151,23 @@ void Print(const std::vector<TrackingOfSpace>& all, std::ostream& out) {
 
 int EvaluateBoxes(const BoxFlags& flags) {
   const FrameRange range = flags.frames.empty() ? FrameRange() : ParseFrameRange(flags.frames);
-  const std::vector<ApFrame> frames = ReadApFrames(flags.labels, flags.estimate, range);
-  std::size_t detections = 0;
-  for (const ApFrame& frame : frames) detections += frame.detections.size();
   if (flags.score == "tracking" && std::filesystem::is_directory(flags.labels)) {
     ThrowError(flags.labels, "a folder", "a file of KITTI tracking: object files have no tracks");
   }
-  std::cout << frames.size() << " frames, " << detections << " detections of all classes\n";
-  if (flags.score == "ap") {
-    Print(AveragePrecisions(flags, frames), std::cout);
+  const bool tracks = flags.score == "tracking";
+  const std::vector<ApFrame> frames = ReadApFrames(flags.labels, flags.estimate, range, tracks);
+  std::ostringstream scores;
+  if (tracks) {
+    Print(TrackingScores(flags, frames), scores);
   } else {
-    Print(TrackingScores(flags, frames), std::cout);
+    Print(AveragePrecisions(flags, frames), scores);
   }
+  std::cout << Counted(frames.size(), "frame")
+            << " with boxes; detections: " << ClassesText(frames, &ApFrame::detections) << '\n';
+  if (SpacesOf(frames).front() != BoxSpace::kImage) {
+    std::cout << "no detection has a box in the image: they count by their 3D boxes alone\n";
+  }
+  std::cout << scores.str();
   return 0;
 }
 

@@ -187,6 +187,7 @@ struct Flags {
   bool landmarks = false;
   bool force = false;
   bool all = false;
+  bool no_warnings = false;
 };
 
 void PrintProblems(const RunResult& run) {
@@ -209,14 +210,14 @@ void PrintCalibration(const RunResult& run) {
             << ReadableNumber(deviation_px) << " px (mean over the image)\n";
 }
 
-void PrintSummary(const RunResult& run, bool all) {
+void PrintSummary(const RunResult& run, bool all, bool warn) {
   const double rate = static_cast<double>(run.frames.size()) / run.wall_s;
   std::cout << run.sequence.name << ": " << Counted(run.frames.size(), "frame") << " in "
             << ReadableNumber(run.wall_s) << " s, " << FrameRateText(rate) << ", "
             << ReadableNumber(run.timing.peak_memory_mb) << " MB, status " << ToString(run.status)
             << (run.message.empty() ? "" : ": ") << run.message << '\n';
   for (const std::string& line : run.warnings) {
-    std::cout << "warning: implausible: " << line << '\n';
+    if (warn) std::cout << "warning: " << line << " (--no-warnings)\n";
   }
   PrintProblems(run);
   PrintCalibration(run);
@@ -309,7 +310,7 @@ int Run(Flags flags) {
     return kInterrupted;
   }
   if (run->status == RunStatus::kFailed) throw Error(run->message);
-  PrintSummary(*run, flags.all);
+  PrintSummary(*run, flags.all, !flags.no_warnings);
   const std::string word = ShellWord(flags.output);
   std::cout << "\nwritten: " << flags.output << "\nnext: clustervo plot " << word << " -o "
             << ShellWord(flags.output + "/camera.svg") << "\n      clustervo overlay " << word
@@ -351,6 +352,8 @@ Command AddRunCommand(CLI::App& program) {
   app->add_flag("--force", flags->force,
                 "overwrite FOLDER even if it holds the results of a different run (refused by "
                 "default; the same run can always be repeated)");
+  app->add_flag("--no-warnings", flags->no_warnings,
+                "do not print what is unlikely about the input; result.json keeps it");
   app->add_flag("--all", flags->all, "print all metrics instead of the most important ones");
   app->footer(
       "Output files: result.json, timing.json, truth.json, camera.tum, camera.kitti; for moving "

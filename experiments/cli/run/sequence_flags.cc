@@ -127,7 +127,9 @@ void CheckStereo(const StereoImport& stereo) {
 }
 
 std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo) {
-  return {stereo.left, stereo.right, stereo.calibration, stereo.times};
+  std::vector<std::filesystem::path> inputs = {stereo.left, stereo.right, stereo.times};
+  inputs.insert(inputs.end(), stereo.calibration.begin(), stereo.calibration.end());
+  return inputs;
 }
 
 void AddStereo(CLI::App& app, StereoImport& stereo) {
@@ -136,12 +138,13 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
   };
   add("--left", stereo.left, "FOLDER", "images of the left camera");
   add("--right", stereo.right, "FOLDER", "images of the right camera, the same number as --left");
-  add("--calib", stereo.calibration, "FILE",
-      "calibration file: YAML or JSON as in experiments/README.md, or the format of OpenCV, Kalibr "
-      "or KITTI; unrectified images are rectified");
+  add("--calib", stereo.calibration, "FILE [FILE]",
+      "calibration: YAML or JSON as in experiments/README.md, or as OpenCV, Kalibr, OpenVINS, ROS, "
+      "ORB-SLAM or KITTI write it, in one or two files; unrectified images are rectified")
+      ->expected(1, 2);
   add("--times", stereo.times, "FILE",
-      "file with one timestamp per line, in seconds or integer nanoseconds; default: the file "
-      "names if they are nanoseconds, otherwise --rate");
+      "file with one timestamp per line, in s, ms, us or ns; default: the file names if they are "
+      "times, otherwise --rate");
   add("--rate", stereo.rate_hz, "HZ",
       "frame rate, used if neither --times nor the file names give timestamps; default: 10")
       ->check(Within(1e-3, 1e6));

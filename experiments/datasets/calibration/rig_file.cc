@@ -4,12 +4,13 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/files/json/json_record.h"
-#include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/calibration/kitti_calibration.h"
@@ -19,42 +20,18 @@ namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kMostBytes = 1 << 20;
-constexpr std::size_t kMostValues = 1000;  // in one list, which aliases could make endless
-
-YAML::Node Parse(const std::filesystem::path& path) {
-  std::string text = ReadFileBytes(path);
-  if (text.size() > kMostBytes) {
-    ThrowError(path.string(), StrCat(text.size(), " bytes"), "a calibration below 1 MB");
-  }
-  if (text.starts_with("%YAML:")) text.erase(0, text.find('\n'));
-  try {
-    return YAML::Load(text);
-  } catch (const YAML::Exception& error) {
-    ThrowError(StrCat(path.string(), ":", error.mark.line + 1), error.msg, "YAML or JSON");
-  }
-}
-
-// Appends the scalars of a node. Returns false if there are too many values.
-bool Collect(const YAML::Node& node, std::size_t& values, std::vector<std::string>& scalars) {
-  if (++values > kMostValues) return false;
-  if (node.IsScalar()) scalars.push_back(node.Scalar());
-  if (!node.IsSequence()) return true;
-  return std::all_of(node.begin(), node.end(),
-                     [&](const YAML::Node& part) { return Collect(part, values, scalars); });
-}
-
 void SetLens(const YamlMap& map, const std::string& key, LensModel lens, LensCamera& camera) {
   camera.lens = lens;
   camera.coefficients = map.Numbers(key);
   const std::size_t count = camera.coefficients.size();
-  const bool fits = lens == LensModel::kPinhole    ? count == 0
-                    : lens == LensModel::kPlumbBob ? count == 4 || count == 5 || count == 8
-                                                   : count == 4;
+  const bool fits = lens == LensModel::kPinhole ? count == 0
+                    : lens == LensModel::kPlumbBob
+                        ? count == 4 || count == 5 || count == 8 || count == 12 || count == 14
+                        : count == 4;
   if (!fits) {
-    map.Fail(
-        key, StrCat(count, " coefficients"),
-        lens == LensModel::kEquidistant ? "4: k1 k2 k3 k4" : "4, 5 or 8: k1 k2 p1 p2 [k3 ...]");
+    map.Fail(key, StrCat(count, " coefficients"),
+             lens == LensModel::kEquidistant ? "4: k1 k2 k3 k4"
+                                             : "4, 5, 8, 12 or 14: k1 k2 p1 p2 [k3 ...]");
   }
   const bool none = std::all_of(camera.coefficients.begin(), camera.coefficients.end(),
                                 [](double k) { return k == 0.0; });
@@ -106,29 +83,37 @@ StereoRig ReadOurs(const YamlMap& map) {
   return rig;
 }
 
-// Kalibr's and EuRoC's formats, which name the radial model and the coefficients differently.
+// Formats that name the model of the lens.
 
-LensCamera PinholeCamera(const YamlMap& map, const char* radial, const char* coefficients) {
+// Sets the lens by a model's name in Kalibr, EuRoC or ROS, and its coefficients.
+void SetNamedLens(const YamlMap& map, const std::string& coefficients, LensCamera& camera) {
+  constexpr std::array kRadial = {"radtan", "radial-tangential", "plumb_bob",
+                                  "rational_polynomial"};
+  const std::string lens = map.Text("distortion_model");
+  if (lens == "none" || lens.empty()) return;
+  const bool radial = std::find(kRadial.begin(), kRadial.end(), lens) != kRadial.end();
+  if (!radial && lens != "equidistant") {
+    map.Fail("distortion_model", Quoted(lens), "radtan, plumb_bob, equidistant or none");
+  }
+  SetLens(map, coefficients, radial ? LensModel::kPlumbBob : LensModel::kEquidistant, camera);
+}
+
+// Of Kalibr and EuRoC, which name the coefficients differently.
+LensCamera PinholeCamera(const YamlMap& map) {
   LensCamera camera;
   const std::vector<double> k = map.Numbers("intrinsics");
   const std::string model = map.Text("camera_model");
   if (model != "pinhole") map.Fail("camera_model", Quoted(model), "pinhole");
   if (k.size() != 4) map.Fail("intrinsics", StrCat(k.size(), " numbers"), "4: fu fv cu cv");
   SetIntrinsics(k[0], k[1], k[2], k[3], camera);
-  const std::string lens = map.Text("distortion_model");
-  if (lens == "none") return camera;
-  if (lens != radial && lens != "equidistant") {
-    map.Fail("distortion_model", Quoted(lens), StrCat(radial, ", equidistant or none"));
-  }
-  SetLens(map, coefficients, lens == radial ? LensModel::kPlumbBob : LensModel::kEquidistant,
-          camera);
+  SetNamedLens(map, map.Has("distortion_coeffs") ? "distortion_coeffs" : "distortion_coefficients",
+               camera);
   return camera;
 }
 
-StereoRig ReadPinholes(const YamlMap& left, const YamlMap& right, const char* radial,
-                       const char* coefficients, const RigidTransform& right_from_left) {
-  StereoRig rig = {PinholeCamera(left, radial, coefficients),
-                   PinholeCamera(right, radial, coefficients), right_from_left};
+StereoRig ReadPinholes(const YamlMap& left, const YamlMap& right,
+                       const RigidTransform& right_from_left) {
+  StereoRig rig = {PinholeCamera(left), PinholeCamera(right), right_from_left};
   const std::vector<double> size = left.Numbers("resolution", 2);
   rig.width_px = static_cast<int>(size[0]);
   rig.height_px = static_cast<int>(size[1]);
@@ -139,7 +124,108 @@ StereoRig ReadKalibr(const YamlMap& map, const std::string& left_key,
                      const std::string& right_key) {
   const YamlMap left = map.Map(left_key);
   const YamlMap right = map.Map(right_key);
-  return ReadPinholes(left, right, "radtan", "distortion_coeffs", right.Transform("T_cn_cnm1"));
+  const auto both_have = [&](const char* key) { return left.Has(key) && right.Has(key); };
+  const auto right_from_left = [&]() -> RigidTransform {
+    if (right.Has("T_cn_cnm1")) return right.Transform("T_cn_cnm1");
+    if (both_have("T_cam_imu")) {
+      return right.Transform("T_cam_imu") * left.Transform("T_cam_imu").Inverse();
+    }
+    if (both_have("T_imu_cam")) {
+      return right.Transform("T_imu_cam").Inverse() * left.Transform("T_imu_cam");
+    }
+    right.Fail("T_cn_cnm1", "nothing", "it, or T_cam_imu or T_imu_cam of both cameras");
+  };
+  return ReadPinholes(left, right, right_from_left());
+}
+
+// A camera with its own rectification, as ROS and the settings of ORB-SLAM2 state it:
+// p_in_rectified = turn p_in_camera + offset_m, with the offset along x.
+struct RectifiedCamera {
+  LensCamera camera;
+  Eigen::Matrix3d turn;
+  Eigen::Vector3d offset_m;
+};
+
+RectifiedCamera ReadRectified(const YamlMap& map, const std::string& matrix,
+                              const std::string& turn, const std::string& projection) {
+  const std::vector<double> k = map.Numbers(matrix, 9);
+  const std::vector<double> r = map.Numbers(turn, 9);
+  const std::vector<double> p = map.Numbers(projection, 12);
+  RectifiedCamera read;
+  SetIntrinsics(k[0], k[4], k[2], k[5], read.camera);
+  read.turn =
+      NearestRotation(Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(r.data()));
+  if (!(p[0] > 0.0) || !(p[5] > 0.0)) map.Fail(projection, "no focal length", "a positive one");
+  read.offset_m = {p[3] / p[0], p[7] / p[5], 0.0};
+  return read;
+}
+
+RigidTransform RightFromLeft(const RectifiedCamera& left, const RectifiedCamera& right) {
+  const Eigen::Matrix3d back = right.turn.transpose();
+  return {Eigen::Matrix3d(back * left.turn),
+          Eigen::Vector3d(back * (right.offset_m - left.offset_m))};
+}
+
+StereoRig ReadCameraInfos(const YamlMap& left_map, const YamlMap& right_map) {
+  const auto read = [](const YamlMap& map) {
+    RectifiedCamera camera =
+        ReadRectified(map, "camera_matrix", "rectification_matrix", "projection_matrix");
+    SetNamedLens(map, "distortion_coefficients", camera.camera);
+    return camera;
+  };
+  const RectifiedCamera left = read(left_map);
+  const RectifiedCamera right = read(right_map);
+  StereoRig rig = {left.camera, right.camera, RightFromLeft(left, right)};
+  SetSize(left_map, "image_width", "image_height", rig);
+  return rig;
+}
+
+// Settings of ORB-SLAM2 and ORB-SLAM3.
+
+LensCamera OrbSlamCamera(const YamlMap& map, const std::string& name) {
+  LensCamera camera;
+  SetIntrinsics(map.Number(name + ".fx"), map.Number(name + ".fy"), map.Number(name + ".cx"),
+                map.Number(name + ".cy"), camera);
+  const bool fisheye = map.Has("Camera.type") && map.Text("Camera.type") == "KannalaBrandt8";
+  const std::vector<const char*> keys = fisheye ? std::vector{".k1", ".k2", ".k3", ".k4"}
+                                                : std::vector{".k1", ".k2", ".p1", ".p2", ".k3"};
+  for (const char* key : keys) {
+    if (map.Has(name + key)) camera.coefficients.push_back(map.Number(name + key));
+  }
+  const bool none = std::ranges::all_of(camera.coefficients, [](double k) { return k == 0.0; });
+  if (fisheye || !none) camera.lens = fisheye ? LensModel::kEquidistant : LensModel::kPlumbBob;
+  if (camera.lens != LensModel::kPinhole && camera.coefficients.size() < 4) {
+    map.Fail(name + ".k1", StrCat(camera.coefficients.size(), " coefficients"), "4 or more");
+  }
+  return camera;
+}
+
+StereoRig ReadOrbSlam(const YamlMap& map) {
+  StereoRig rig;
+  if (map.Has("LEFT.K")) {
+    const auto read = [&](const std::string& side) {
+      RectifiedCamera camera = ReadRectified(map, side + ".K", side + ".R", side + ".P");
+      SetLens(map, side + ".D", LensModel::kPlumbBob, camera.camera);
+      return camera;
+    };
+    const RectifiedCamera left = read("LEFT");
+    const RectifiedCamera right = read("RIGHT");
+    rig = {left.camera, right.camera, RightFromLeft(left, right)};
+    SetSize(map, "LEFT.width", "LEFT.height", rig);
+    return rig;
+  }
+  rig.left = OrbSlamCamera(map, map.Has("Camera1.fx") ? "Camera1" : "Camera");
+  SetSize(map, "Camera.width", "Camera.height", rig);
+  if (map.Has("Camera2.fx")) {
+    rig.right = OrbSlamCamera(map, "Camera2");
+    rig.right_from_left = map.Transform(map.Has("Tlr") ? "Tlr" : "Stereo.T_c1_c2").Inverse();
+    return rig;
+  }
+  rig.right = rig.left;
+  const double baseline_m =
+      map.Has("Stereo.b") ? map.Number("Stereo.b") : map.Number("Camera.bf") / rig.left.fx;
+  rig.right_from_left = RigidTransform(Eigen::Matrix3d::Identity(), {-baseline_m, 0.0, 0.0});
+  return rig;
 }
 
 // OpenCV's format.
@@ -160,6 +246,9 @@ LensCamera OpenCvCamera(const YamlMap& map, const OpenCvKeys& keys, const char* 
 }
 
 StereoRig ReadOpenCv(const YamlMap& map, const OpenCvKeys& keys) {
+  if (!map.Has("R") || !map.Has("T")) {
+    map.Fail("R, T", "nothing", "both; of two files give both: --calib INTRINSICS EXTRINSICS");
+  }
   const std::vector<double> r = map.Numbers("R", 9);
   const std::vector<double> t = map.Numbers("T", 3);
   const Eigen::Matrix3d rotation =
@@ -197,14 +286,24 @@ StereoRig ReadKitti(const fs::path& path) {
   return rig;
 }
 
-StereoRig ReadAny(const fs::path& path) {
-  if (IsKittiText(path)) return ReadKitti(path);
-  const YamlMap map = YamlMap::Read(path);
+StereoRig ReadAny(const fs::path& path, const fs::path& second) {
+  if (second.empty() && IsKittiText(path)) return ReadKitti(path);
+  YamlMap map = YamlMap::Read(path);
+  if (map.Has("camera_matrix") && map.Has("projection_matrix")) {
+    if (!second.empty()) return ReadCameraInfos(map, YamlMap::Read(second));
+    map.Fail("camera_matrix", "one camera alone", "both cameras: --calib LEFT RIGHT");
+  }
+  if (!second.empty()) map.Add(YamlMap::Read(second));
   if (map.Has("cam0")) return ReadKalibr(map, "cam0", "cam1");
   for (const OpenCvKeys& keys : kOpenCvKeys) {
     if (map.Has(std::string(keys.matrix) + "1")) return ReadOpenCv(map, keys);
   }
-  return ReadOurs(map);
+  if (map.Has("Camera.fx") || map.Has("Camera1.fx")) return ReadOrbSlam(map);
+  if (map.Has("fx") || map.Has("left")) return ReadOurs(map);
+  ThrowError(path.string(), "keys " + map.Keys(),
+             "those of a calibration that is read: ours (fx fy cx cy baseline_m, or left right "
+             "right_from_left), KITTI (P0 P1), Kalibr (cam0 cam1), OpenCV (M1 D1 M2 D2 R T, in one "
+             "or two files), ROS (camera_info of both cameras), ORB-SLAM2 or 3 (Camera.fx ...)");
 }
 
 void Check(const fs::path& path, const char* name, const LensCamera& camera) {
@@ -230,84 +329,9 @@ StereoRig Checked(const StereoRig& rig, const fs::path& path) {
 
 }  // namespace
 
-YamlMap YamlMap::Read(const std::filesystem::path& path) {
-  YAML::Node root = Parse(path);
-  if (!root.IsMap()) ThrowError(path.string(), "no keys", "a calibration with keys and values");
-  return {path.string(), std::move(root)};
+StereoRig ReadStereoRig(const fs::path& path, const fs::path& second) {
+  return Checked(ReadAny(path, second), path);
 }
-
-void YamlMap::Fail(const std::string& key, const std::string& found,
-                   const std::string& expected) const {
-  ThrowError(where_ + ", " + key, found, expected);
-}
-
-YAML::Node YamlMap::Get(const std::string& key) const {
-  const YAML::Node node = node_[key];
-  if (!node) Fail(key, "nothing", "a value");
-  return node;
-}
-
-YamlMap YamlMap::Map(const std::string& key) const {
-  YAML::Node node = Get(key);
-  if (!node.IsMap()) Fail(key, "no keys", "keys and values");
-  return {where_ + ", " + key, std::move(node)};
-}
-
-double YamlMap::Number(const std::string& key) const { return Numbers(key, 1).front(); }
-
-std::string YamlMap::Text(const std::string& key) const {
-  const YAML::Node node = Get(key);
-  if (!node.IsScalar()) Fail(key, "a list or map", "a text");
-  return node.Scalar();
-}
-
-std::vector<double> YamlMap::Numbers(const std::string& key) const {
-  YAML::Node node = Get(key);
-  if (node.IsMap()) {
-    const YAML::Node data = node["data"];
-    if (!data) Fail(key, "keys without data", "a list of numbers, or a matrix with data");
-    node.reset(data);
-  }
-  std::vector<std::string> scalars;
-  std::size_t values = 0;
-  if (!Collect(node, values, scalars)) {
-    Fail(key, StrCat("more than ", kMostValues, " values"), "a list of numbers");
-  }
-  std::vector<double> numbers;
-  for (const std::string& scalar : scalars) {
-    const std::optional<double> number = ParseDouble(scalar);
-    if (!number) Fail(key, Quoted(scalar), "a number");
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
-std::vector<double> YamlMap::Numbers(const std::string& key, std::size_t count) const {
-  std::vector<double> numbers = Numbers(key);
-  if (numbers.size() != count) {
-    Fail(key, StrCat(numbers.size(), " numbers"), std::to_string(count));
-  }
-  return numbers;
-}
-
-void YamlMap::AllowOnly(const std::vector<std::string>& keys) const {
-  for (const auto& entry : node_) {
-    const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "";
-    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-      ThrowError(where_, "key " + Quoted(key) + DidYouMean(key, keys), "a key of a calibration");
-    }
-  }
-}
-
-RigidTransform YamlMap::Transform(const std::string& key) const {
-  const std::vector<double> numbers = Numbers(key);
-  if (numbers.size() != 12 && numbers.size() != 16) {
-    Fail(key, StrCat(numbers.size(), " numbers"), "12 of [R t], or 16");
-  }
-  return TransformFromRow(numbers, where_ + ", " + key);
-}
-
-StereoRig ReadStereoRig(const fs::path& path) { return Checked(ReadAny(path), path); }
 
 StereoRig ReadKalibrRig(const fs::path& path, const std::string& left, const std::string& right) {
   const YamlMap map = YamlMap::Read(path);
@@ -323,9 +347,8 @@ StereoRig ReadKalibrRig(const fs::path& path, const std::string& left, const std
 StereoRig ReadSensorRig(const fs::path& left, const fs::path& right) {
   const YamlMap left_map = YamlMap::Read(left);
   const YamlMap right_map = YamlMap::Read(right);
-  const StereoRig rig =
-      ReadPinholes(left_map, right_map, "radial-tangential", "distortion_coefficients",
-                   right_map.Transform("T_BS").Inverse() * left_map.Transform("T_BS"));
+  const StereoRig rig = ReadPinholes(
+      left_map, right_map, right_map.Transform("T_BS").Inverse() * left_map.Transform("T_BS"));
   return Checked(rig, right);
 }
 

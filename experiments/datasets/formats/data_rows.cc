@@ -48,15 +48,6 @@ bool HasShape(std::string_view text) {
   return true;
 }
 
-void CheckIncreasing(const TextFile& file, const std::vector<std::int64_t>& times) {
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] <= times[i - 1]) {
-      ThrowError(file.Where(i), Quoted(file.line(i)),
-                 "a time after that of the line before, " + Quoted(file.line(i - 1)));
-    }
-  }
-}
-
 std::string_view TrimEnd(std::string_view text) {
   return text.substr(0, text.find_last_not_of(" \t") + 1);
 }
@@ -198,21 +189,43 @@ std::vector<std::int64_t> ReadDateTimes(const std::filesystem::path& path) {
     if (!time) {
       ThrowError(file.Where(i), Quoted(file.line(i)), "a time YYYY-MM-DD HH:MM:SS.nnnnnnnnn");
     }
+    if (!times.empty() && *time <= times.back()) {
+      ThrowError(file.Where(i), Quoted(file.line(i)),
+                 "a time after that of the line before, " + Quoted(file.line(i - 1)));
+    }
     times.push_back(*time);
   }
-  CheckIncreasing(file, times);
   return times;
 }
 
-std::vector<std::int64_t> ReadSecondsTimes(const std::filesystem::path& path) {
-  const TextFile file(path);
-  std::vector<std::int64_t> times;
-  for (std::size_t i = 0; i < file.size(); ++i) {
-    const TextRow row(file, i);
-    row.ExpectColumns(1, "a time in seconds");
-    times.push_back(row.SecondsNs(0));
+TimeUnit ImageTimeUnit(const std::vector<std::string_view>& texts, const std::string& where) {
+  constexpr double kLongestStep_s = 1.0;
+  constexpr double kShortestStep_s = 0.001;
+  const TimeUnit unit = TimeUnitOf(texts, kLongestStep_s);
+  if (texts.size() > 1 && !(unit.step_s >= kShortestStep_s && unit.step_s <= kLongestStep_s)) {
+    ThrowError(where, StrCat("times like ", Quoted(texts[0]), " and ", Quoted(texts[1])),
+               "times in s, ms, us or ns that make 1 to 1000 frames per second");
   }
-  CheckIncreasing(file, times);
+  return unit;
+}
+
+std::string UnitNote(const TimeUnit& unit, const std::string& where) {
+  if (unit.ns == 1 || unit.ns == 1'000'000'000) return "";
+  return StrCat(where, ": times taken for ", unit.name, ", which makes ", 1.0 / unit.step_s, " Hz");
+}
+
+ImageTimes ReadTimes(const std::filesystem::path& path) {
+  const DataRows rows(path, 1, "a time per row");
+  std::vector<std::string_view> texts;
+  for (std::size_t i = 0; i < rows.size(); ++i) texts.push_back(rows.Text(i, 0));
+  const TimeUnit unit = ImageTimeUnit(texts, path.string());
+  ImageTimes times{{}, UnitNote(unit, path.string())};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto time_ns = ParseTimeNs(texts[i], unit.ns);
+    if (!time_ns) rows.Fail(i, Quoted(texts[i]), "a time");
+    CheckLater(rows, i, *time_ns, i > 0 ? std::optional(times.ns.back()) : std::nullopt, "images");
+    times.ns.push_back(*time_ns);
+  }
   return times;
 }
 

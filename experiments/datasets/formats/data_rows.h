@@ -11,6 +11,7 @@
 
 #include "core/files/text_file.h"
 #include "core/geometry/rigid_transform.h"
+#include "experiments/metrics/trajectory_file.h"
 
 namespace cvo {
 
@@ -60,8 +61,17 @@ void CheckLater(const DataRows& rows, std::size_t row, std::int64_t time_ns,
 [[nodiscard]] std::optional<std::int64_t> ParseDateTimeNs(std::string_view text);
 
 // Read one timestamp per line, strictly increasing. Throw Error with file and line.
-std::vector<std::int64_t> ReadDateTimes(const std::filesystem::path& path);     // KITTI raw
-std::vector<std::int64_t> ReadSecondsTimes(const std::filesystem::path& path);  // KITTI odometry
+std::vector<std::int64_t> ReadDateTimes(const std::filesystem::path& path);  // KITTI raw
+struct ImageTimes {
+  std::vector<std::int64_t> ns;
+  std::string note;  // UnitNote
+};
+ImageTimes ReadTimes(const std::filesystem::path& path);  // in the first column, in ImageTimeUnit
+
+// The unit (s, ms, us or ns) that makes 1 to 1000 frames per second of these times. Throws Error
+// naming `where` if none does. The note says which; it is empty for s and ns.
+TimeUnit ImageTimeUnit(const std::vector<std::string_view>& texts, const std::string& where);
+std::string UnitNote(const TimeUnit& unit, const std::string& where);
 
 // Returns the times of frames 0, 1, ... at a constant rate, for data without timestamps. KITTI's
 // rate is 10 Hz.

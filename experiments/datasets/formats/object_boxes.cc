@@ -3,6 +3,8 @@
 #include "experiments/datasets/formats/object_boxes.h"
 
 #include <set>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/base/error.h"
@@ -56,6 +58,10 @@ ObjectBox ReadBox(const TextRow& row, int frame_count) {
   return box;
 }
 
+[[noreturn]] void FailTwice(const TextRow& row, const ObjectBox& box) {
+  row.Fail(StrCat("track ", box.track, " of frame ", box.frame, " a second time"), "each once");
+}
+
 // Reads rows of between `least` and `most` columns, the same number in each row.
 template <typename Read>
 std::vector<ObjectBox> ReadRows(const std::filesystem::path& path, std::size_t least,
@@ -78,24 +84,30 @@ std::vector<ObjectBox> ReadRows(const std::filesystem::path& path, std::size_t l
 }  // namespace
 
 std::vector<ObjectBox> ReadLabels(const std::filesystem::path& path, int frame_count) {
-  const TextFile file(path);
-  std::vector<ObjectBox> boxes;
   std::set<std::pair<int, int>> seen;
-  for (std::size_t i = 0; i < file.size(); ++i) {
-    const TextRow row(file, i);
-    row.ExpectColumns(kLabelColumns, "a KITTI tracking label");
-    boxes.push_back(ReadBox(row, frame_count));
-    const auto [frame, track] = std::pair(boxes.back().frame, boxes.back().track);
-    if (track >= 0 && !seen.emplace(frame, track).second) {  // a negative track is not an object
-      row.Fail(StrCat("track ", track, " of frame ", frame, " a second time"), "each once");
-    }
-  }
-  return boxes;
+  return ReadRows(path, kLabelColumns, kMaxDetectionColumns, "a KITTI tracking label",
+                  [&](const TextRow& row) {
+                    ObjectBox box = ReadBox(row, frame_count);
+                    // A negative track is not an object.
+                    const bool twice = box.track >= 0 && !seen.emplace(box.frame, box.track).second;
+                    if (twice) FailTwice(row, box);
+                    return box;
+                  });
 }
 
 std::vector<ObjectBox> ReadDetections(const std::filesystem::path& path, int frame_count) {
   return ReadRows(path, kLabelColumns, kMaxDetectionColumns, "a KITTI tracking result",
                   [&](const TextRow& row) { return ReadBox(row, frame_count); });
+}
+
+std::vector<ObjectBox> ReadTracks(const std::filesystem::path& path, int frame_count) {
+  std::set<std::tuple<int, int, std::string>> seen;
+  return ReadRows(path, kLabelColumns, kMaxDetectionColumns, "a KITTI tracking result",
+                  [&](const TextRow& row) {
+                    ObjectBox box = ReadBox(row, frame_count);
+                    if (!seen.emplace(box.frame, box.track, box.type).second) FailTwice(row, box);
+                    return box;
+                  });
 }
 
 std::vector<ObjectBox> ReadObjectFile(const std::filesystem::path& path, int frame) {

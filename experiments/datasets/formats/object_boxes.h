@@ -31,16 +31,21 @@ struct ObjectBox {
   };
   std::optional<Box3d> box3d;
   std::optional<double> score;
+
+  // Whether it has a box in the image: trackers in 3D write -1 -1 -1 -1.
+  bool IsInImage() const { return right_px > left_px && bottom_px > top_px; }
 };
 
-// Reads a KITTI tracking label file: 17 columns per row, frames below `frame_count`. Throws Error
-// with file and line.
+// Reads a KITTI tracking label file: 17 columns per row, or as ReadDetections, frames below
+// `frame_count`. Throws Error with file and line, also for a track that a frame has twice.
 std::vector<ObjectBox> ReadLabels(const std::filesystem::path& path, int frame_count);
 
 // Reads a KITTI tracking result file: like a label file, with the score in the 18th column or in
 // the last of 19 (files with one more value before it). Every row of a file has the same number of
 // columns. Label files are accepted too, without scores.
 std::vector<ObjectBox> ReadDetections(const std::filesystem::path& path, int frame_count);
+// The same, for the tracks of a tracker: a frame has none twice, within a class.
+std::vector<ObjectBox> ReadTracks(const std::filesystem::path& path, int frame_count);
 
 // Reads a KITTI object file, which belongs to one image: 15 columns per row, or 16 with a score,
 // the same number in every row.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <exception>
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
@@ -43,7 +42,6 @@ class NewFolder {
 
   void Write(const std::string& name, std::string_view bytes) {
     WriteFileBytes(temporary_ / name, bytes);
-    files_[name] = Sha256Hex(bytes);
   }
   // Writes an image. A damaged one becomes a file that cannot be decoded: the header alone.
   void Write(const std::string& name, const SourceImage& image) {
@@ -54,8 +52,6 @@ class NewFolder {
     if (!image.damage.empty()) png.resize(kHeader);
     Write(name, png);
   }
-  // The SHA-256 of each written file, by name.
-  const Json& files() const { return files_; }
   void Keep() {
     if (RenameFile(temporary_, target_) != 0) ThrowErrno(target_, "write", errno);
   }
@@ -63,7 +59,6 @@ class NewFolder {
  private:
   fs::path target_;
   fs::path temporary_;
-  Json files_ = Json::object();
 };
 
 std::string FrameName(std::size_t frame) {
@@ -72,25 +67,38 @@ std::string FrameName(std::size_t frame) {
   return StrCat(std::string(kDigits - std::min(kDigits, digits.size()), '0'), digits, ".png");
 }
 
-struct Times {
+struct FrameTimes {
   const char* source = "";
   std::vector<std::int64_t> ns;
 };
 
-Times TimesOf(const StereoImport& request, const std::vector<fs::path>& left) {
+// Reads one time per left image in the folder, and returns those of the frames.
+std::vector<std::int64_t> TimesOfFile(const StereoImport& request, StereoSource& source) {
+  const ImageTimes times = ReadTimes(request.times);
+  if (times.ns.size() != source.listed) {
+    ThrowError(request.times.string(), StrCat(times.ns.size(), " times"),
+               StrCat(source.listed, ", one per image of the left camera"));
+  }
+  if (!times.note.empty()) source.notes.push_back(times.note);
+  std::vector<std::int64_t> of_frames;
+  for (const std::size_t i : source.kept) of_frames.push_back(times.ns[i]);
+  return of_frames;
+}
+
+FrameTimes TimesOf(const StereoImport& request, StereoSource& source) {
   constexpr double kUsual_hz = 10.0;
-  Times times{"names", TimesOfNames(left)};
-  if (!request.times.empty()) times = {"file", ReadTimes(request.times, left.size())};
+  FrameTimes times{"names", source.times_ns};
+  if (!request.times.empty()) times = {"file", TimesOfFile(request, source)};
   if (!times.ns.empty()) {
     if (!request.rate_hz) return times;
     ThrowError("--rate", StrCat("times in a ", request.times.empty() ? "name" : "file", " as well"),
                "one of the two");
   }
-  if (request.rate_hz) return {"rate", NominalTimes(left.size(), *request.rate_hz)};
-  return {"nominal", NominalTimes(left.size(), kUsual_hz)};
+  if (request.rate_hz) return {"rate", NominalTimes(source.kept.size(), *request.rate_hz)};
+  return {"nominal", NominalTimes(source.kept.size(), kUsual_hz)};
 }
 
-std::string TimesText(const Times& times) {
+std::string TimesText(const FrameTimes& times) {
   std::string lines;
   for (const std::int64_t time_ns : times.ns) lines += FormatSecondsNs(time_ns) + "\n";
   return lines;
@@ -121,12 +129,24 @@ Json NamesOf(const std::vector<fs::path>& files) {
   return names;
 }
 
+// Empty if there is no such file: reading it then tells what is wrong.
+std::string HashFile(const fs::path& file) {
+  return fs::is_regular_file(file) ? Sha256Hex(ReadFileBytes(file)) : "";
+}
+
+// The hashes of the files, one after the other.
+std::string CalibrationHash(const StereoImport& request) {
+  std::string hash;
+  for (const fs::path& file : request.calibration) hash += HashFile(file);
+  return hash;
+}
+
 Json Record(const StereoImport& request, const ImportOutcome& outcome,
             const std::optional<Rectification>& rectification) {
   Json record = {{"schema_version", 1},
                  {"kind", "import"},
-                 {"calibration", request.calibration.filename().string()},
-                 {"calibration_sha256", Sha256Hex(ReadFileBytes(request.calibration))},
+                 {"calibration", NamesOf(request.calibration)},
+                 {"calibration_sha256", CalibrationHash(request)},
                  {"frames", outcome.frames},
                  {"times", outcome.times},
                  {"rectified", outcome.rectified}};
@@ -135,11 +155,6 @@ Json Record(const StereoImport& request, const ImportOutcome& outcome,
     record["rectified_from_right"] = RowsOf(rectification->rectified_from_right());
   }
   return record;
-}
-
-// Empty if there is no such file: reading it then tells what is wrong.
-std::string HashFile(const fs::path& file) {
-  return fs::is_regular_file(file) ? Sha256Hex(ReadFileBytes(file)) : "";
 }
 
 void AddImages(const fs::path& folder, Sha256& hash) {
@@ -154,29 +169,16 @@ std::string NameOf(const fs::path& left) {
   return name.empty() ? "stereo" : name;
 }
 
-bool IsWhole(const fs::path& folder) try {
-  const Json record = ReadJson(folder / kImportRecord);
-  for (const auto& [name, sha256] : record.at("files").items()) {
-    if (HashFile(folder / name) != sha256) return false;
-  }
-  return true;
-} catch (const std::exception&) {  // also those of the JSON library
-  return false;
-}
-
 }  // namespace
 
 ImportOutcome ImportStereo(const StereoImport& request, const fs::path& folder,
                            const ImportProgress& progress) {
-  const StereoRig rig = ReadStereoRig(request.calibration);
-  const std::array<std::vector<fs::path>, 2> files = {ListImages(request.left),
-                                                      ListImages(request.right)};
-  CheckPartners(files[0], files[1]);
-  if (files[0].size() != files[1].size()) {
-    ThrowError(request.right.string(), StrCat(files[1].size(), " images"),
-               StrCat(files[0].size(), ", as many as in ", request.left.string()));
-  }
-  const Times times = TimesOf(request, files[0]);
+  const std::vector<fs::path>& calibration = request.calibration;
+  const StereoRig rig =
+      ReadStereoRig(calibration.at(0), calibration.size() > 1 ? calibration[1] : "");
+  StereoSource source = FindStereo(request.left, request.right);
+  const auto& files = source.files;
+  const FrameTimes times = TimesOf(request, source);
   NewFolder target(folder);
   std::optional<Rectification> rectification;
   ImportOutcome outcome;
@@ -189,7 +191,7 @@ ImportOutcome ImportStereo(const StereoImport& request, const fs::path& folder,
       SourceImage image = ReadSourceImage(file);
       if (size.empty()) {
         size = image.size;
-        CheckCameras(rig, size.width, size.height, request.calibration.string());
+        CheckCameras(rig, size.width, size.height, calibration[0].string());
         if (outcome.rectified) rectification.emplace(rig, size);
         outcome.camera =
             rectification ? rectification->camera() : CameraOf(rig, size.width, size.height);
@@ -212,7 +214,7 @@ ImportOutcome ImportStereo(const StereoImport& request, const fs::path& folder,
   Json record = Record(request, outcome, rectification);
   record["left_images"] = NamesOf(files[0]);  // in the order of the frames
   record["right_images"] = NamesOf(files[1]);
-  record["files"] = target.files();
+  record["notes"] = source.notes;
   target.Write(kImportRecord, DumpJson(record));
   target.Keep();
   return outcome;
@@ -221,19 +223,18 @@ ImportOutcome ImportStereo(const StereoImport& request, const fs::path& folder,
 fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
                          const ImportProgress& progress) {
   constexpr const char* kMadeBy =
-      "import 2\n";  // to be changed if the same input yields other images or an error
+      "import 3\n";  // to be changed if the same input yields other images or an error
   constexpr std::size_t kShortHash = 16;
   Sha256 hash;
   hash.Add(kMadeBy);
-  hash.Add(HashFile(request.calibration));
+  hash.Add(CalibrationHash(request));
   if (!request.times.empty()) hash.Add(HashFile(request.times));
   hash.Add(request.rate_hz ? "rate " + FormatDouble(*request.rate_hz) : "10");
   AddImages(request.left, hash);
   AddImages(request.right, hash);
   const fs::path folder =
       cache / "imported" / hash.Hex().substr(0, kShortHash) / NameOf(request.left);
-  if (IsWhole(folder)) return folder;
-  fs::remove_all(folder);
+  if (fs::exists(folder)) return folder;  // which appeared complete
   ImportStereo(request, folder, progress);
   return folder;
 }

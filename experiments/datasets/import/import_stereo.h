@@ -16,7 +16,7 @@ namespace cvo {
 struct StereoImport {
   std::filesystem::path left;  // a folder of images
   std::filesystem::path right;
-  std::filesystem::path calibration;
+  std::vector<std::filesystem::path> calibration;  // a file, or two
   std::filesystem::path times = {};    // empty: from the images' names, else from `rate_hz`
   std::optional<double> rate_hz = {};  // empty: 10
 };
@@ -31,7 +31,7 @@ struct ImportOutcome {
 
 using ImportProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-// File that records the inputs of the import and the SHA-256 of every other file.
+// File that records the inputs of the import.
 inline constexpr const char* kImportRecord = "import.json";
 
 // Writes a sequence in the layout of KITTI odometry: image_0, image_1 (8-bit grey PNG), calib.txt,
@@ -44,8 +44,7 @@ ImportOutcome ImportStereo(const StereoImport& request, const std::filesystem::p
                            const ImportProgress& progress);
 
 // Returns the folder of the sequence that ImportStereo makes. The sequence is made only once, below
-// `cache`, under the hash of all its inputs, and again if one of its files has changed. Throws
-// Error as ImportStereo.
+// `cache`, under the hash of all its inputs. Throws Error as ImportStereo.
 std::filesystem::path ImportIntoCache(const StereoImport& request,
                                       const std::filesystem::path& cache,
                                       const ImportProgress& progress);

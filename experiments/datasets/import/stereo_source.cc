@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,7 +15,9 @@
 #include "core/files/images/image_file.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
+#include "experiments/datasets/formats/data_rows.h"
 #include "experiments/datasets/formats/image_format.h"
+#include "experiments/datasets/images.h"
 
 namespace cvo {
 
@@ -80,7 +83,29 @@ void CheckAllIn(const std::map<std::string, fs::path>& others, const Files& file
   }
 }
 
-constexpr std::int64_t kLeastNs = 1'000'000'000'000;
+using NameTimes = ImageTimes;
+
+// The times in the names of files. None unless all names are numbers, with a decimal point or as
+// large as those of clocks, which those of frames are not.
+NameTimes TimesOfNames(const Files& files, const fs::path& folder) {
+  constexpr double kLeastClock = 1e8;
+  const std::map<double, fs::path> by_value = ByValue(files);
+  const auto has_point = [](const fs::path& file) {
+    return file.stem().string().find('.') != std::string::npos;
+  };
+  if (by_value.empty() || !std::all_of(files.begin(), files.end(), IsNumber) ||
+      (by_value.begin()->first < kLeastClock &&
+       !std::any_of(files.begin(), files.end(), has_point))) {
+    return {};
+  }
+  std::vector<std::string> stems;
+  for (const fs::path& file : files) stems.push_back(file.stem().string());
+  const std::string where = folder.string() + ", names of images";
+  const TimeUnit unit = ImageTimeUnit({stems.begin(), stems.end()}, where);
+  NameTimes times{{}, UnitNote(unit, where)};
+  for (const std::string& stem : stems) times.ns.push_back(ParseTimeNs(stem, unit.ns).value_or(-1));
+  return times;
+}
 
 bool IsImage(const fs::path& file) {
   constexpr std::array<const char*, 7> kEndings = {".png",  ".jpg", ".jpeg", ".pgm",
@@ -146,6 +171,7 @@ Files ListImages(const fs::path& folder) {
   }
   Files files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().filename().string().starts_with('.')) continue;
     if (entry.is_regular_file() && IsImage(entry.path())) files.push_back(entry.path());
   }
   if (files.empty()) ThrowError(folder.string(), "no image", "a folder of images");
@@ -164,35 +190,32 @@ SourceImage ReadSourceImage(const fs::path& file) {
   ThrowError(file.string(), "no image that can be decoded", "one");
 }
 
-std::vector<std::int64_t> ReadTimes(const fs::path& path, std::size_t count) {
-  const TextFile file(path);
-  std::vector<std::int64_t> times_ns;
-  for (std::size_t i = 0; i < file.size(); ++i) {
-    const std::optional<std::int64_t> whole = ParseInteger(file.line(i));
-    const std::optional<std::int64_t> time_ns =
-        whole && *whole > kLeastNs ? whole : ParseSecondsNs(file.line(i));
-    if (!time_ns) ThrowError(file.Where(i), Quoted(file.line(i)), "a time in s, or in whole ns");
-    if (!times_ns.empty() && *time_ns <= times_ns.back()) {
-      ThrowError(file.Where(i), Quoted(file.line(i)), "a time after the one before");
+StereoSource FindStereo(const fs::path& left, const fs::path& right) {
+  StereoSource source{{ListImages(left), ListImages(right)}};
+  auto& files = source.files;
+  source.listed = files[0].size();
+  const NameTimes of_left = TimesOfNames(files[0], left);
+  const NameTimes of_right = TimesOfNames(files[1], right);
+  if (of_left.ns.empty() || of_right.ns.empty()) {
+    CheckPartners(files[0], files[1]);
+    if (files[0].size() != files[1].size()) {
+      ThrowError(right.string(), StrCat(files[1].size(), " images"),
+                 StrCat(files[0].size(), ", as many as in ", left.string()));
     }
-    times_ns.push_back(*time_ns);
+    source.kept.resize(source.listed);
+    std::iota(source.kept.begin(), source.kept.end(), std::size_t{0});
+    return source;
   }
-  if (times_ns.size() != count) {
-    ThrowError(path.string(), StrCat(times_ns.size(), " times"),
-               StrCat(count, ", one per image of the left camera"));
+  if (!of_left.note.empty()) source.notes.push_back(of_left.note);
+  const auto all = std::move(files);
+  files = {};
+  for (const auto& [i, j] : PairByTime(of_left.ns, of_right.ns, right, source.notes)) {
+    files[0].push_back(all[0][i]);
+    files[1].push_back(all[1][j]);
+    source.kept.push_back(i);
+    source.times_ns.push_back(of_left.ns[i]);
   }
-  return times_ns;
-}
-
-std::vector<std::int64_t> TimesOfNames(const std::vector<fs::path>& files) {
-  std::vector<std::int64_t> times_ns;
-  for (const fs::path& file : files) {
-    const std::optional<std::int64_t> number = ParseInteger(file.stem().string());
-    if (!number || *number <= kLeastNs) return {};
-    if (!times_ns.empty() && *number <= times_ns.back()) return {};
-    times_ns.push_back(*number);
-  }
-  return times_ns;
+  return source;
 }
 
 }  // namespace cvo

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
@@ -17,8 +18,7 @@ void SortByNumber(std::vector<std::filesystem::path>& files);
 
 // Throws Error naming the first image whose number no image of the other camera has. Nothing is
 // checked, and images remain paired by position, if names have no number or share one, or if all
-// names are numbers and the cameras have none in common, as with timestamps of unsynchronised
-// cameras.
+// names are numbers and the cameras have none in common.
 void CheckPartners(const std::vector<std::filesystem::path>& left,
                    const std::vector<std::filesystem::path>& right);
 
@@ -34,12 +34,16 @@ std::vector<std::filesystem::path> ListImages(const std::filesystem::path& folde
 // Throws Error if not even the header of the image can be read.
 SourceImage ReadSourceImage(const std::filesystem::path& file);
 
-// Reads one time per image from a file with one per line, in seconds, or in nanoseconds if it is an
-// integer above 1e12. Throws Error unless there are `count` times in strictly increasing order.
-std::vector<std::int64_t> ReadTimes(const std::filesystem::path& path, std::size_t count);
-
-// Returns the times in the names of files, in nanoseconds. Empty unless all names are integers
-// above 1e12 in strictly increasing order.
-std::vector<std::int64_t> TimesOfNames(const std::vector<std::filesystem::path>& files);
+// The images of both cameras as frames. If the names are times, images are paired by time
+// (PairByTime); otherwise by number (CheckPartners), or by position.
+struct StereoSource {
+  std::array<std::vector<std::filesystem::path>, 2> files;
+  std::vector<std::int64_t> times_ns = {};  // of the left images; empty if names tell none
+  std::size_t listed = 0;                   // number of left images in the folder
+  std::vector<std::size_t> kept = {};       // which of them are in `files`
+  std::vector<std::string> notes = {};      // the unit of the times, and what is left out
+};
+// Throws Error for images without a partner, and for times of no plausible rate.
+StereoSource FindStereo(const std::filesystem::path& left, const std::filesystem::path& right);
 
 }  // namespace cvo

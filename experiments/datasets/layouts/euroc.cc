@@ -4,8 +4,6 @@
 // EuRoC in the ASL format: mav0/cam0 and cam1 with data/<ns>.png, data.csv and sensor.yaml, and the
 // ground truth of the body in mav0/state_groundtruth_estimate0/data.csv. Images are not rectified.
 
-#include <map>
-
 #include "core/base/error.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/calibration/rig_file.h"
@@ -32,44 +30,38 @@ bool EurocHasImages(const fs::path& folder) {
   return AreFolders(MavFolder(folder) / "cam0/data", MavFolder(folder) / "cam1/data");
 }
 
-// Returns the image files of a camera by timestamp in ns.
-std::map<std::int64_t, fs::path> ReadCamera(const fs::path& camera, Sequence& sequence) {
-  const fs::path list = camera / "data.csv";
+struct Camera {
+  Times times_ns;
+  std::vector<fs::path> files;
+};
+
+Camera ReadCamera(const fs::path& folder, Sequence& sequence) {
+  const fs::path list = folder / "data.csv";
   const DataRows rows(list, 2, "time in ns, file name");
   sequence.other_files.push_back(list);
-  std::map<std::int64_t, fs::path> files;
-  std::optional<std::int64_t> before_ns;
+  Camera camera;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::int64_t time_ns = rows.Integer(i, 0);
-    CheckLater(rows, i, time_ns, before_ns, camera.filename().string());
-    before_ns = time_ns;
-    const fs::path file = camera / "data" / rows.Text(i, 1);
-    if (!fs::is_regular_file(file)) {
-      rows.Fail(i, "no image " + file.string(), "one for each row");
+    CheckLater(rows, i, time_ns, i > 0 ? std::optional(camera.times_ns.back()) : std::nullopt,
+               folder.filename().string());
+    camera.times_ns.push_back(time_ns);
+    camera.files.push_back(folder / "data" / rows.Text(i, 1));
+    if (!fs::is_regular_file(camera.files.back())) {
+      rows.Fail(i, "no image " + camera.files.back().string(), "one for each row");
     }
-    files.emplace(time_ns, file);
   }
-  return files;
+  return camera;
 }
 
-// Pairs the images of the cameras by timestamp, as some sequences lack an image of one of them.
+// Some sequences lack an image of one of the cameras.
 std::vector<StereoPaths> PairImages(const fs::path& mav, Sequence& sequence) {
-  const auto left = ReadCamera(mav / "cam0", sequence);
-  const auto right = ReadCamera(mav / "cam1", sequence);
+  const Camera left = ReadCamera(mav / "cam0", sequence);
+  const Camera right = ReadCamera(mav / "cam1", sequence);
   std::vector<StereoPaths> pairs;
-  for (const auto& [time_ns, file] : left) {
-    const auto other = right.find(time_ns);
-    if (other == right.end()) continue;
-    pairs.push_back({file, other->second});
-    sequence.timestamps_ns.push_back(time_ns);
-  }
-  if (pairs.empty()) {
-    ThrowError((mav / "cam1/data.csv").string(), "no time of cam0", "the same times in both");
-  }
-  const std::size_t alone = left.size() + right.size() - 2 * pairs.size();
-  if (alone > 0) {
-    sequence.missing.push_back(
-        StrCat("the other image of ", alone, " that only one camera has: left out"));
+  for (const auto& [i, j] :
+       PairByTime(left.times_ns, right.times_ns, mav / "cam1/data.csv", sequence.missing)) {
+    pairs.push_back({left.files[i], right.files[j]});
+    sequence.timestamps_ns.push_back(left.times_ns[i]);
   }
   return pairs;
 }

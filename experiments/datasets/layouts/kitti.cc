@@ -55,6 +55,9 @@ void AddOdometryTruth(Sequence& sequence) {
     sequence.missing.push_back(StrCat(path.string(), ": poses of the last ", frames - poses.size(),
                                       " of ", frames, " frames"));
   }
+  if (poses.size() + 1 == frames) {
+    sequence.notes.push_back(path.string() + ": one pose less than images: is the first missing?");
+  }
   std::vector<std::optional<RigidTransform>> truth(poses.begin(), poses.end());
   truth.resize(frames);
   AddImuTruth(truth, RigidTransform(), sequence);
@@ -102,7 +105,9 @@ void ReadKittiOdometry(const SequenceRequest& request, Sequence& sequence) {
   AddImages(pair, rig, sequence);
 
   const fs::path times_file = request.folder / "times.txt";
-  AddTimes(times_file, ReadSecondsTimes(times_file), sequence);
+  ImageTimes times = ReadTimes(times_file);
+  AddTimes(times_file, std::move(times.ns), sequence);
+  if (!times.note.empty()) sequence.notes.push_back(times.note);
   AddOdometryTruth(sequence);
   const fs::path bodies = request.folder / "objects.csv";
   if (fs::exists(bodies)) sequence.other_files.push_back(bodies);

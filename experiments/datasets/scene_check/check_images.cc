@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Images against depth, poses and masks: where the pixels of one image must be seen in another, and
-// whether they are.
+// Right images against left images and depth: where a pixel must be seen, and whether it is.
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include "core/base/error.h"
 #include "experiments/datasets/images.h"
@@ -16,24 +13,12 @@ namespace cvo {
 
 namespace {
 
-// Images against depth and poses. A slip of half a pixel in the pixel-centre convention shows as
+// A slip of half a pixel in the pixel-centre convention shows as
 // 0.5 px, an error of one per cent of depth as 0.2 px at 20 px of disparity; interpolation and
 // noise stay below 0.02 px.
 constexpr double kShift_px = 0.05;
-// For a single pair of consecutive frames, where shadows that move over the background count too.
-// All frames together would hide a single wrong pose, as the errors of its two steps cancel.
-constexpr double kFrameShift_px = 0.1;
 // Fewer pixels cannot distinguish such a shift from noise.
 constexpr int kMinShiftPixels = 2000;
-// A shift with a larger standard deviation, as that of a small or plain body, is not evaluated.
-constexpr double kMaxShiftSigma_px = 0.01;
-// Median difference of the grey levels of a body and of its points in the next frame. Noise and the
-// light, which does not turn with a body, leave some grey levels, a wrong rotation 20 and more.
-constexpr double kResidual_grey = 12.0;
-// Depth moved to the next frame, compared with that frame's depth, as disparity. Exact on planes
-// except for 32-bit rounding.
-constexpr double kDepthMotion_px = 0.01;
-
 // Reads an 8-bit image as grey. Throws Error if it cannot be decoded.
 cv::Mat ReadGrey(const std::filesystem::path& path) {
   LoadedImage image = LoadGrey(path);
@@ -87,91 +72,12 @@ std::vector<PixelPrediction> PredictRight(const StereoCamera& camera, const Surf
   return predictions;
 }
 
-// Predicts the positions in the next frame of the pixels of one body (0: background), which moves
-// by next_from_this from the one left camera to the other. Appends to `depth_errors_px`, for each
-// prediction, the absolute difference between predicted and actual depth, as a disparity.
-std::vector<PixelPrediction> PredictNext(const StereoCamera& camera, const Surface& surface,
-                                         const Surface& next, int body,
-                                         const RigidTransform& next_from_this, int step,
-                                         std::vector<float>& depth_errors_px) {
-  std::vector<PixelPrediction> predictions;
-  const Eigen::Matrix3d R = next_from_this.RotationMatrix();
-  const Eigen::Vector3d t = next_from_this.translation();
-  for (int v = 1; v < surface.depth.rows; v += step) {
-    for (int u = 1; u < surface.depth.cols; u += step) {
-      if (surface.instances.at<std::uint16_t>(v, u) != body) continue;
-      if (!(surface.depth.at<float>(v, u) > 0.0F)) continue;
-      const Eigen::Vector3d moved = R * PointAt(camera, surface.depth, u, v) + t;
-      const auto z_px = camera.Project(moved);
-      if (!z_px || !camera.InImage((*z_px)[0], (*z_px)[1])) continue;
-      const double disparity_px = (*z_px)[0] - (*z_px)[2];
-      const int u0 = static_cast<int>((*z_px)[0]), v0 = static_cast<int>((*z_px)[1]);
-      if (u0 + 1 >= next.depth.cols || v0 + 1 >= next.depth.rows) continue;
-      if (!(next.depth.at<float>(v0, u0) > 0.0F)) continue;
-      if (next.instances.at<std::uint16_t>(v0, u0) != body) continue;
-      if (!IsSmooth(camera, surface, u, v) || !IsSmooth(camera, next, u0, v0)) continue;
-      const double a = (*z_px)[0] - u0, b = (*z_px)[1] - v0;
-      const auto at = [&](int du, int dv) {
-        return DisparityAt(camera, next.depth, u0 + du, v0 + dv);
-      };
-      const double found_px =
-          (1 - b) * ((1 - a) * at(0, 0) + a * at(1, 0)) + b * ((1 - a) * at(0, 1) + a * at(1, 1));
-      // A larger difference means that another surface has come in front.
-      constexpr double kSameSurface_px = 1.0;
-      if (std::abs(found_px - disparity_px) > kSameSurface_px) continue;
-      depth_errors_px.push_back(static_cast<float>(std::abs(found_px - disparity_px)));
-      predictions.push_back({u, v, (*z_px)[0], (*z_px)[1]});
-    }
-  }
-  return predictions;
-}
-
 ImageShift CompareSides(const SceneFolder& scene, int frame) {
   constexpr int kStep = 2;
   const StereoPaths& paths = scene.sequence.images[static_cast<std::size_t>(frame)];
   const Surface surface = {scene.Depth(frame), scene.Instances(frame)};
   return EstimateShift(ReadGrey(paths.left), ReadGrey(paths.right),
                        PredictRight(scene.sequence.camera, surface, kStep));
-}
-
-// The motion of one body (0: background) from a frame to the next one.
-struct BodyMotion {
-  int body = 0;
-  int frame = 0;
-  ImageShift shift;
-  double median_depth_error_px = 0.0;
-};
-
-RigidTransform RelativeMotion(const SceneFolder& scene, int frame, int body) {
-  const auto i = static_cast<std::size_t>(frame);
-  const RigidTransform left_from_world = scene.world_from_left[i + 1].Inverse();
-  if (body == 0) return left_from_world * scene.world_from_left[i];
-  const auto index = static_cast<std::size_t>(body) - 1;
-  return left_from_world * scene.bodies[i + 1][index].world_from_object *
-         scene.bodies[i][index].world_from_object.Inverse() * scene.world_from_left[i];
-}
-
-std::vector<BodyMotion> CompareFrames(const SceneFolder& scene, int frame) {
-  const auto i = static_cast<std::size_t>(frame);
-  const cv::Mat image = ReadGrey(scene.sequence.images[i].left);
-  const cv::Mat next_image = ReadGrey(scene.sequence.images[i + 1].left);
-  const Surface surface = {scene.Depth(frame), scene.Instances(frame)};
-  const Surface next = {scene.Depth(frame + 1), scene.Instances(frame + 1)};
-  std::vector<BodyMotion> motions;
-  for (int body = 0; body <= static_cast<int>(scene.bodies[i].size()); ++body) {
-    std::vector<float> depth_errors;
-    const std::vector<PixelPrediction> predictions =
-        PredictNext(scene.sequence.camera, surface, next, body, RelativeMotion(scene, frame, body),
-                    body == 0 ? 2 : 1, depth_errors);
-    if (static_cast<int>(predictions.size()) < kMinShiftPixels) continue;
-    motions.push_back({body, frame, EstimateShift(image, next_image, predictions),
-                       MedianOf(std::move(depth_errors))});
-  }
-  return motions;
-}
-
-std::string NameOf(const SceneFolder& scene, int body) {
-  return body == 0 ? "background" : scene.bodies[0][static_cast<std::size_t>(body) - 1].name;
 }
 
 }  // namespace
@@ -196,40 +102,6 @@ std::vector<SceneCheck> CheckStereo(const SceneFolder& scene, TaskPool& pool) {
   if (across.where.empty()) across.Add(std::nan(""), "all frames: too few pixels to compare");
   return {across.AtMost("disparity_offset", "px", kShift_px),
           down.AtMost("row_offset", "px", kShift_px)};
-}
-
-std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool) {
-  std::vector<int> frames = scene.image_frames;
-  std::erase(frames, scene.frame_count() - 1);
-  const auto results = ForAll<std::vector<BodyMotion>>(
-      static_cast<int>(frames.size()), pool,
-      [&](int i) { return CompareFrames(scene, frames[static_cast<std::size_t>(i)]); });
-
-  Worst depths, background_shift, residuals;
-  std::map<int, std::vector<ImageShift>> shifts;
-  for (const std::vector<BodyMotion>& motions : results) {
-    for (const BodyMotion& motion : motions) {
-      const std::string place = StrCat(NameOf(scene, motion.body), ", frame ", motion.frame);
-      depths.Add(motion.median_depth_error_px, place);
-      shifts[motion.body].push_back(motion.shift);
-      if (motion.body == 0) background_shift.Add(motion.shift.shift_px.norm(), place);
-      if (motion.body > 0) residuals.Add(motion.shift.median_residual, place);
-    }
-  }
-  Worst bodies;
-  ImageShift background;
-  for (const auto& [body, of_body] : shifts) {
-    const ImageShift pooled = PoolShifts(of_body);
-    if (body == 0) background = pooled;
-    if (body == 0 || pooled.MaxSigma_px() > kMaxShiftSigma_px) continue;
-    bodies.Add(pooled.shift_px.norm(), NameOf(scene, body));
-  }
-  return {depths.AtMost("motion_depth", "px", kDepthMotion_px),
-          {"motion_shift_background", background.shift_px.norm(), "px", kShift_px,
-           "all frames together"},
-          background_shift.AtMost("motion_shift_background_worst", "px", kFrameShift_px),
-          bodies.AtMost("motion_shift_bodies", "px", kShift_px),
-          residuals.AtMost("motion_residual_bodies", "grey levels", kResidual_grey)};
 }
 
 }  // namespace cvo

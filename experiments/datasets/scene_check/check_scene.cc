@@ -130,10 +130,8 @@ struct Group {
   Checks (*check)(const SceneFolder&, TaskPool&);
 };
 
-constexpr std::array<Group, 4> kGroups = {{{"stereo", CheckStereo},
-                                           {"motion", CheckMotion},
-                                           {"poses", CheckPoses},
-                                           {"masks", CheckMasks}}};
+constexpr std::array<Group, 3> kGroups = {
+    {{"stereo", CheckStereo}, {"poses", CheckPoses}, {"masks", CheckMasks}}};
 
 }  // namespace
 

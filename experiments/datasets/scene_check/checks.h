@@ -70,14 +70,7 @@ struct PixelPrediction {
 // The common offset of all predictions: target(predicted + shift) = gain source + offset.
 struct ImageShift {
   Eigen::Vector2d shift_px = Eigen::Vector2d::Zero();
-  // Inverse covariance of the shift for residuals of one grey level, with gain and offset
-  // marginalised.
-  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-  double residual_sigma = 0.0;   // grey levels, robust estimate
-  double median_residual = 0.0;  // of |target(predicted) - gain source - offset|
-  int pixels = 0;                // number of pixels compared
-
-  double MaxSigma_px() const;  // of the shift in its worst direction; infinite without texture
+  int pixels = 0;  // number of pixels compared
 };
 
 // Estimates the shift by Gauss-Newton on the intensities of CV_8UC1 images. Leaves out residuals
@@ -86,15 +79,10 @@ struct ImageShift {
 ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
                          const std::vector<PixelPrediction>& predictions);
 
-// Combines the shifts of many images, weighted by their information.
-ImageShift PoolShifts(const std::vector<ImageShift>& shifts);
-
 // The groups. Each throws Error for a file that it cannot read.
 
 // Compares the right images with those predicted from the left images and depth.
 std::vector<SceneCheck> CheckStereo(const SceneFolder& scene, TaskPool& pool);
-// Compares images and depth with those of the next frame, moved by the poses of camera and bodies.
-std::vector<SceneCheck> CheckMotion(const SceneFolder& scene, TaskPool& pool);
 // Compares the poses of both cameras, and the velocities of bodies with their poses.
 std::vector<SceneCheck> CheckPoses(const SceneFolder& scene, TaskPool& pool);
 // Compares masks with 3D boxes, depth, visible boxes and pixel counts, in all frames.

@@ -111,11 +111,6 @@ float MedianOf(std::vector<float> values) {
   return *middle;
 }
 
-double ImageShift::MaxSigma_px() const {
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(information).eigenvalues()[0];
-  return least > 0.0 ? residual_sigma / std::sqrt(least) : std::numeric_limits<double>::infinity();
-}
-
 ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
                          const std::vector<PixelPrediction>& predictions) {
   constexpr int kIterations = 6;
@@ -127,35 +122,10 @@ ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
   fit.x.head<2>().setZero();
   for (int i = 0; i < kIterations; ++i) {
     Step(source, target, predictions, std::max(kLeastCut_grey, 3.0 * SigmaOf(fit.residuals)), fit);
-    if (i == 0) result.median_residual = SigmaOf(fit.residuals) / kMadToSigma;
   }
   result.pixels = static_cast<int>(fit.residuals.size());
   result.shift_px = fit.x.head<2>();
-  result.residual_sigma = SigmaOf(fit.residuals);
-  const Eigen::Matrix2d rest = fit.H.bottomRightCorner<2, 2>();
-  if (result.pixels > 0 && rest.determinant() > 0.0) {
-    result.information = fit.H.topLeftCorner<2, 2>() - fit.H.topRightCorner<2, 2>() *
-                                                           rest.inverse() *
-                                                           fit.H.bottomLeftCorner<2, 2>();
-  }
   return result;
-}
-
-ImageShift PoolShifts(const std::vector<ImageShift>& shifts) {
-  ImageShift pooled;
-  Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
-  double variance = 0.0;
-  for (const ImageShift& shift : shifts) {
-    pooled.information += shift.information;
-    weighted += shift.information * shift.shift_px;
-    pooled.pixels += shift.pixels;
-    variance += shift.pixels * shift.residual_sigma * shift.residual_sigma;
-  }
-  if (pooled.information.determinant() > 0.0) {
-    pooled.shift_px = pooled.information.ldlt().solve(weighted);
-  }
-  if (pooled.pixels > 0) pooled.residual_sigma = std::sqrt(variance / pooled.pixels);
-  return pooled;
 }
 
 }  // namespace cvo

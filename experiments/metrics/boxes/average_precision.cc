@@ -195,7 +195,9 @@ MatchedFrame::MatchedFrame(const ApFrame& frame, const ApProtocol& protocol, ApL
   for (const ObjectBox& box : frame.detections) {
     // Small boxes of any class are ignored; like the devkit, this truncates their height to whole
     // pixels.
-    const bool small = std::trunc(std::abs(box.bottom_px - box.top_px)) < limits.least_height_px;
+    const bool in_3d = protocol.space != BoxSpace::kImage && !box.IsInImage();
+    const bool small =
+        !in_3d && std::trunc(std::abs(box.bottom_px - box.top_px)) < limits.least_height_px;
     if (!small && !IsOfClass(box, protocol.category)) continue;
     const bool in_dont_care =
         protocol.space == BoxSpace::kImage &&

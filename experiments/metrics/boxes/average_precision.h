@@ -79,12 +79,14 @@ struct AveragePrecision {
 std::array<AveragePrecision, 3> EvaluateAp(const std::vector<ApFrame>& frames,
                                            const ApProtocol& protocol);
 
-// Reads labels and detections of the frames of `range`. For KITTI tracking, these are two files;
-// their frames are 0 to the last one in either. For KITTI object, they are two folders of
-// <number>.txt; the frames are those of the label files. Throws Error if a file cannot be read, if
-// an image has a detection file but no label file, or if only some of the detections have a score.
+// Reads labels and detections of the frames of `range`. For KITTI tracking, these are two files,
+// and the frames are those with a box in either; for KITTI object, they are two folders of
+// <number>.txt, and the frames are those of the label files. Throws Error if a file cannot be read,
+// if an image has a detection file but no label file, if only some of the detections have a score,
+// or for a track that a frame has twice if `tracks` are scored.
 std::vector<ApFrame> ReadApFrames(const std::filesystem::path& labels,
-                                  const std::filesystem::path& detections, const FrameRange& range);
+                                  const std::filesystem::path& detections, const FrameRange& range,
+                                  bool tracks = false);
 
 // Whether the sequence has a label of a car with a 3D box, without which there are no BoxMetrics.
 bool TellsBoxes(const Sequence& sequence);

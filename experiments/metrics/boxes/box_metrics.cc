@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <map>
 
 #include "core/base/error.h"
 #include "experiments/datasets/formats/object_boxes.h"
@@ -14,25 +16,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostFrames = 10'000'000;
+using Frames = std::map<int, ApFrame>;
 
-int LastFrame(const std::vector<ObjectBox>& boxes) {
-  int last = -1;
-  for (const ObjectBox& box : boxes) last = std::max(last, box.frame);
-  return last;
-}
-
-std::vector<ApFrame> ReadTracking(const fs::path& label_file, const fs::path& detection_file) {
-  const std::vector<ObjectBox> labels = ReadLabels(label_file, kMostFrames);
-  const std::vector<ObjectBox> detections = ReadDetections(detection_file, kMostFrames);
-  const int last = std::max(LastFrame(labels), LastFrame(detections));
-  std::vector<ApFrame> frames(static_cast<std::size_t>(last + 1));
-  for (const ObjectBox& box : labels) frames.at(box.frame).labels.push_back(box);
-  for (const ObjectBox& box : detections) frames.at(box.frame).detections.push_back(box);
+Frames ReadTracking(const fs::path& label_file, const fs::path& detection_file, bool tracks) {
+  constexpr int kAnyFrame = std::numeric_limits<int>::max();
+  Frames frames;
+  for (const ObjectBox& box : ReadLabels(label_file, kAnyFrame)) {
+    frames[box.frame].labels.push_back(box);
+  }
+  for (const ObjectBox& box :
+       tracks ? ReadTracks(detection_file, kAnyFrame) : ReadDetections(detection_file, kAnyFrame)) {
+    frames[box.frame].detections.push_back(box);
+  }
   return frames;
 }
 
-std::vector<ApFrame> ReadObjects(const fs::path& label_folder, const fs::path& detection_folder) {
+Frames ReadObjects(const fs::path& label_folder, const fs::path& detection_folder) {
   const auto labels = NumberedFiles(label_folder, {"", ".txt"});
   const auto detections = NumberedFiles(detection_folder, {"", ".txt"});
   for (const auto& [number, file] : detections) {
@@ -41,23 +40,23 @@ std::vector<ApFrame> ReadObjects(const fs::path& label_folder, const fs::path& d
                  "one that has a label file in " + label_folder.string());
     }
   }
-  std::vector<ApFrame> frames;
+  Frames frames;
   for (const auto& [number, file] : labels) {
     const int index = static_cast<int>(frames.size());
     ApFrame frame{ReadObjectFile(file, index), {}};
     const auto found = detections.find(number);
     if (found != detections.end()) frame.detections = ReadObjectFile(found->second, index);
-    frames.push_back(std::move(frame));
+    frames.emplace(index, std::move(frame));
   }
   return frames;
 }
 
 // Throws Error if only some detections have scores. Without any, all score thresholds are equal;
 // with some, the ranking would be meaningless.
-void CheckScores(const std::vector<ApFrame>& frames, const fs::path& detections) {
+void CheckScores(const Frames& frames, const fs::path& detections) {
   std::size_t with = 0;
   std::size_t all = 0;
-  for (const ApFrame& frame : frames) {
+  for (const auto& [number, frame] : frames) {
     all += frame.detections.size();
     with += static_cast<std::size_t>(std::count_if(frame.detections.begin(), frame.detections.end(),
                                                    [](const auto& box) { return !!box.score; }));
@@ -71,17 +70,22 @@ void CheckScores(const std::vector<ApFrame>& frames, const fs::path& detections)
 }  // namespace
 
 std::vector<ApFrame> ReadApFrames(const fs::path& labels, const fs::path& detections,
-                                  const FrameRange& range) {
+                                  const FrameRange& range, bool tracks) {
   const bool folders = fs::is_directory(labels);
   if (folders != fs::is_directory(detections)) {
     ThrowError(detections.string(), folders ? "a file" : "a folder",
                (folders ? "a folder, as " : "a file, as ") + labels.string());
   }
-  std::vector<ApFrame> frames =
-      folders ? ReadObjects(labels, detections) : ReadTracking(labels, detections);
-  CheckScores(frames, detections);
-  const FrameRange within = ResolveFrameRange(range, static_cast<int>(frames.size()));
-  return {frames.begin() + within.begin, frames.begin() + within.end};
+  const Frames all =
+      folders ? ReadObjects(labels, detections) : ReadTracking(labels, detections, tracks);
+  CheckScores(all, detections);
+  if (all.empty()) ThrowError(labels.string(), "no label", "at least one");
+  const FrameRange within = ResolveFrameRange(range, all.rbegin()->first + 1);
+  std::vector<ApFrame> frames;
+  for (const auto& [number, frame] : all) {
+    if (number >= within.begin && number < within.end) frames.push_back(frame);
+  }
+  return frames;
 }
 
 namespace {

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "core/association/box_association.h"
 #include "core/base/error.h"
@@ -27,12 +26,18 @@ bool Counts(const ObjectBox& label, const std::string& category) {
          label.truncation <= kMostTruncation;
 }
 
+// Whether the boxes decide in 3D which of them count: `space` is, and the box is in no image.
+bool CountsIn3d(const ObjectBox& detection, BoxSpace space) {
+  return space == BoxSpace::kVolume && !detection.IsInImage();
+}
+
 // Matches reported boxes in the image. Returns, per reported box, the true box or nullptr.
-Boxes MatchInImage(const Boxes& labels, const Boxes& detections) {
+Boxes MatchInImage(const Boxes& labels, const Boxes& detections, BoxSpace space) {
   Eigen::MatrixXd cost(labels.size(), detections.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
     for (std::size_t j = 0; j < detections.size(); ++j) {
-      const double overlap = IntersectionOverUnion(BoxSpace::kImage, *labels[i], *detections[j]);
+      const double overlap = IntersectionOverUnion(
+          CountsIn3d(*detections[j], space) ? space : BoxSpace::kImage, *labels[i], *detections[j]);
       cost(i, j) = overlap < kLeastSimilarity - kSimilaritySlack ? 0.0 : -overlap;
     }
   }
@@ -45,15 +50,16 @@ Boxes MatchInImage(const Boxes& labels, const Boxes& detections) {
   return matched;
 }
 
-bool IsForgiven(const ObjectBox& detection, const std::vector<ObjectBox>& labels) {
+bool IsForgiven(const ObjectBox& detection, const std::vector<ObjectBox>& labels, BoxSpace space) {
   constexpr double kLeastHeight_px = 25.0;
+  if (CountsIn3d(detection, space)) return false;
   if (detection.bottom_px - detection.top_px <= kLeastHeight_px + kSimilaritySlack) return true;
   return std::any_of(labels.begin(), labels.end(), [&](const ObjectBox& label) {
     return IsDontCare(label) && ShareInside(detection, label) > kLeastSimilarity + kSimilaritySlack;
   });
 }
 
-Boxes CountedDetections(const ApFrame& frame, const std::string& category) {
+Boxes CountedDetections(const ApFrame& frame, const std::string& category, BoxSpace space) {
   Boxes labels;
   for (const ObjectBox& label : frame.labels) {
     if (IsOfClass(label, category) || IsNeighbour(label, category)) labels.push_back(&label);
@@ -62,11 +68,11 @@ Boxes CountedDetections(const ApFrame& frame, const std::string& category) {
   for (const ObjectBox& box : frame.detections) {
     if (IsOfClass(box, category)) detections.push_back(&box);
   }
-  const Boxes matched = MatchInImage(labels, detections);
+  const Boxes matched = MatchInImage(labels, detections, space);
   Boxes counted;
   for (std::size_t j = 0; j < detections.size(); ++j) {
     const bool out = matched[j] != nullptr ? !Counts(*matched[j], category)
-                                           : IsForgiven(*detections[j], frame.labels);
+                                           : IsForgiven(*detections[j], frame.labels, space);
     if (!out) counted.push_back(detections[j]);
   }
   return counted;
@@ -75,14 +81,9 @@ Boxes CountedDetections(const ApFrame& frame, const std::string& category) {
 // Maps the track ids of a file to identities without gaps.
 class Identities {
  public:
-  std::vector<int> Of(const Boxes& boxes, const char* where) {
-    std::set<int> seen;
+  std::vector<int> Of(const Boxes& boxes) {
     std::vector<int> ids;
     for (const ObjectBox* box : boxes) {
-      if (!seen.insert(box->track).second) {
-        ThrowError(where, StrCat("two boxes of track ", box->track, " in frame ", box->frame),
-                   "one");
-      }
       ids.push_back(ids_.emplace(box->track, static_cast<int>(ids_.size())).first->second);
     }
     return ids;
@@ -105,8 +106,8 @@ TrackedSequence CountedBoxes(const std::vector<ApFrame>& frames, const std::stri
     for (const ObjectBox& label : frame.labels) {
       if (Counts(label, category)) labels.push_back(&label);
     }
-    const Boxes detections = CountedDetections(frame, category);
-    TrackedFrame tracked{true_ids.Of(labels, "labels"), reported_ids.Of(detections, "detections"),
+    const Boxes detections = CountedDetections(frame, category, space);
+    TrackedFrame tracked{true_ids.Of(labels), reported_ids.Of(detections),
                          Eigen::MatrixXd(labels.size(), detections.size())};
     for (std::size_t i = 0; i < labels.size(); ++i) {
       for (std::size_t j = 0; j < detections.size(); ++j) {

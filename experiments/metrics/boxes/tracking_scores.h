@@ -66,8 +66,8 @@ IdentityScores EvaluateIdentities(const TrackedSequence& sequence);
 // Reported boxes do not count if they match, in the image (similarity 0.5), a true box that does
 // not count or one of a neighbouring class (van, person), nor if they are unmatched and either at
 // most 25 px high or with more than half of their area in a DontCare region. `space` is that of the
-// similarity in the result; which boxes count is decided in the image. Throws Error if a track has
-// two boxes in a frame.
+// similarity in the result; which boxes count is decided in the image, or in 3D for a reported box
+// that is in no image. No track has two boxes in a frame (ReadTracks).
 TrackedSequence CountedBoxes(const std::vector<ApFrame>& frames, const std::string& category,
                              BoxSpace space);
 

@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/base/error.h"
 #include "core/files/json/json.h"
 #include "tests/experiments/cli/process.h"
 
@@ -49,7 +52,42 @@ TEST_F(Eval, MatchesTumPosesByTime) {
   EXPECT_THAT(Evaluate(truth, estimate).out,
               HasSubstr("3 poses matched, unmatched: 1 of the ground truth, 1 of the estimate"));
   ExpectError(Evaluate(truth, estimate, {"--max-time-difference", "0.0001"}),
-              "found 0 poses that match", 1);
+              "found 0 poses that match one of truth, at 0.101000000 to 5.000000000 s", 1);
+}
+
+// The estimate is the truth at twice its size and 10 s later.
+TEST_F(Eval, AlignsSeveralEstimatesAndShiftsTheirTimes) {
+  const auto rows = [](double scale, double later_s) {
+    std::string text;
+    for (int i = 0; i < 8; ++i) {
+      text +=
+          StrCat(i + later_s, " ", scale * i, " ", scale * (i % 3), " 0 0 0 ", 0.01 * i, " 1\n");
+    }
+    return text;
+  };
+  const std::string truth = Write("truth.tum", rows(1.0, 0.0));
+  const std::string twice = Write("twice.tum", rows(2.0, 10.0));
+  const std::string same = Write("same.tum", rows(1.0, 10.0));
+  const auto rms = [&](const char* align) {
+    const ProcessResult result = RunProgram({"eval", "trajectory", truth, twice, same, "--align",
+                                             align, "--time-offset", "-10", "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const Json estimates = ParseJson(result.out, "evaluation").at("estimates");
+    EXPECT_LT(estimates[1]["rms_m"].get<double>(), 1e-9);
+    return estimates[0]["rms_m"].get<double>();
+  };
+  EXPECT_LT(rms("sim3"), 1e-9);
+  EXPECT_NEAR(rms("origin"), std::sqrt((140.0 + 11.0) / 8.0), 1e-9);
+  EXPECT_LT(rms("se3"), rms("origin"));
+  EXPECT_LE(rms("se3"), rms("yaw"));
+  EXPECT_THAT(RunProgram({"eval", "trajectory", truth, twice, same, "--time-offset", "-10"}).out,
+              AllOf(HasSubstr("Aligned by SE(3)"), testing::ContainsRegex("metric +twice +same")));
+  const std::string positions =
+      Write("p.tum", "0 0 0 0 0 0 0 0\n1 1 1 0 0 0 0 0\n2 2 0 1 0 0 0 0\n");
+  const ProcessResult result = Evaluate(positions, truth);
+  EXPECT_THAT(result.err, HasSubstr("p.tum: quaternions that are all zero"));
+  EXPECT_THAT(result.out, testing::Not(HasSubstr("rpe")));
+  ExpectError(Evaluate(positions, truth, {"--align", "origin"}), "positions without rotations", 1);
 }
 
 TEST_F(Eval, ReadsKittiPosesLineByLine) {
@@ -139,6 +177,19 @@ TEST_F(EvalSequence, ScoresBoxes) {
   EXPECT_THAT(run({}).out, HasSubstr("bv           11      9.09"));
   EXPECT_THAT(run({"--iou", "0.25"}).out, HasSubstr("IoU > 0.25"));
   EXPECT_THAT(run({"--score", "tracking"}).out, testing::ContainsRegex("3d +100.00 .*100.00 "));
+  const std::string in_3d =
+      folder_.Write("in_3d.txt", "0 1 Car 0 0 0 -1 -1 -1 -1 1.5 1.6 3.9 1 2 30 0.1 0.5\n").string();
+  const std::string vans =
+      folder_.Write("vans.txt", "0 1 Vans 0 0 0 10 20 90 80 1.5 1.6 3.9 1 2 30 0.1\n").string();
+  for (const char* score : {"ap", "tracking"}) {
+    const ProcessResult result =
+        RunProgram({"eval", "boxes", "--labels", labels, "--estimate", in_3d, "--score", score});
+    EXPECT_THAT(result.out, AllOf(HasSubstr("no detection has a box in the image"),
+                                  testing::ContainsRegex("3d +(11 +9.09|100.00 )")));
+    ExpectError(
+        RunProgram({"eval", "boxes", "--labels", vans, "--estimate", rows, "--score", score}),
+        "vans.txt: found labels: 1 Vans, expected at least one of Car", 1);
+  }
   for (const Arguments& wrong : {Arguments{"--iou", "1.5"},
                                  {"--class", "Tram"},
                                  {"--sequence", tiny()},

@@ -71,7 +71,7 @@ TEST_F(CliSynthRender, PassesItsCheck) {
   if (IsSkipped() || HasFatalFailure()) return;
   const ProcessResult check = RunProgram({"synth", "check", out("tiny").string()});
   EXPECT_EQ(check.exit_code, 0) << check.out << check.err;
-  EXPECT_THAT(check.out, HasSubstr("motion_shift_bodies"));
+  EXPECT_THAT(check.out, HasSubstr("mask_point_out_of_box"));
 }
 
 TEST_F(CliSynthRender, ARunOnItScoresItsBodies) {

@@ -221,19 +221,18 @@ TEST(BadRawDrive, Boxes) {
 
 TEST(BadOdometry, Files) {
   const std::string row = "1 0 0 0 0 1 0 0 0 0 1 0\n";
-  ExpectFaults([](const test::TempFolder& root) { return WriteOdometrySequence(root); },
-               {{{{"times.txt"}}, "06/times.txt | no such file | can be read"},
-                {{{"calib.txt"}}, "06/calib.txt | no such file | can be read"},
-                {{{"times.txt", "0.0\n0.1\n0.2\n0.3\n"}}, "times | 4 times | 3, as many as images"},
-                {{{"times.txt", "0.0\n0.1\n0.1\n"}},
-                 "times.txt:3 | \"0.1\" | after that of the line before"},
-                {{{"times.txt", "0.0\n0.1s\n0.2\n"}},
-                 "times.txt:2 | \"0.1s\" in column 1 | a time in seconds"},
-                {{{"times.txt", "0.0\n0.1 0.2\n"}}, "times.txt:2 | 2 columns | 1 columns"},
-                {{{"../../poses/06.txt", row + row + row + row}},
-                 "poses/06.txt:4 | 4 poses | 3, as many as images"},
-                {{{"../../poses/06.txt", row + "1 0 0 0 0 1 0"}},
-                 "poses/06.txt:2 | 7 columns in a last line without | 12 columns"}});
+  ExpectFaults(
+      [](const test::TempFolder& root) { return WriteOdometrySequence(root); },
+      {{{{"times.txt"}}, "06/times.txt | no such file | can be read"},
+       {{{"calib.txt"}}, "06/calib.txt | no such file | can be read"},
+       {{{"times.txt", "0.0\n0.1\n0.2\n0.3\n"}}, "times | 4 times | 3, as many as images"},
+       {{{"times.txt", "0.0\n0.1\n0.1\n"}}, "times.txt:3 | time 0.1 | one after 0.1"},
+       {{{"times.txt", "0.0\n0.1s\n0.2\n"}}, "times.txt:2 | \"0.1s\" | a time"},
+       {{{"times.txt", "0.0\n0.1 0.2\n"}}, "times.txt:2 | 2 columns | 1, as in the first row"},
+       {{{"../../poses/06.txt", row + row + row + row}},
+        "poses/06.txt:4 | 4 poses | 3, as many as images"},
+       {{{"../../poses/06.txt", row + "1 0 0 0 0 1 0"}},
+        "poses/06.txt:2 | 7 columns in a last line without | 12 columns"}});
 }
 
 TEST(BadOdometry, CameraMissingFromTheCalibration) {

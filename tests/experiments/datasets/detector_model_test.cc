@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/files/json/json_record.h"
 #include "tests/experiments/runner/tiny_sequence.h"
 #include "tests/support/error_message.h"
 
@@ -89,48 +90,58 @@ void ExpectBox(const ImageBox& box, const ImageBox& expected) {
   EXPECT_NEAR(box.bottom_px, expected.bottom_px, 1e-4);
 }
 
-TEST(NetworkOutput, LayoutFromSizes) {
-  EXPECT_EQ(LayoutOf({40, 7}, kInput), OutputLayout::kDarknet);
-  EXPECT_EQ(LayoutOf({1, 42, 7}, kInput), OutputLayout::kYolox);
-  EXPECT_EQ(LayoutOf({1, 126, 7}, kInput), OutputLayout::kYolov5);
-  EXPECT_EQ(LayoutOf({1, 6, 42}, kInput), OutputLayout::kYolov8);
-  EXPECT_FALSE(LayoutOf({1, 1000}, {}) == OutputLayout::kYolox);
-  EXPECT_FALSE(LayoutOf({1, 3, 32, 64}, kInput));
-  EXPECT_FALSE(LayoutOf({1, 41, 7}, kInput));
+// One known box, in every layout, of the second of three classes: 30 to 50 and 25 to 35 px.
+TEST(NetworkOutput, OneBoxThroughEachLayout) {
+  constexpr float kScore = 0.9F;
+  const std::vector<float> centred = {40, 30, 20, 10};
+  const float cell = 8.0F;  // the 5th in the 3rd row of the first level: 5 + 3 * 8 = 29
+  struct Case {
+    OutputLayout layout;
+    std::vector<float> row;
+    std::vector<int> sizes;
+    int at = 29;
+  };
+  const auto with = [&](std::vector<float> row, std::vector<float> more) {
+    row.insert(row.end(), more.begin(), more.end());
+    return row;
+  };
+  const std::vector<float> raw = {40 / cell - 5, 30 / cell - 3, std::log(20 / cell),
+                                  std::log(10 / cell)};
+  const std::vector<float> fractions = {40 / 64.0F, 30 / 32.0F, 20 / 64.0F, 10 / 32.0F};
+  for (const Case& c : {
+           Case{OutputLayout::kYolox, with(raw, {1, 0, kScore, 0}), {1, 42, 8}},
+           Case{OutputLayout::kYoloxDecoded, with(centred, {1, 0, kScore, 0}), {1, 42, 8}},
+           Case{OutputLayout::kYoloxDecoded, with(centred, {1, 0, kScore, 0}), {1, 8, 42}},
+           Case{OutputLayout::kYolov5, with(centred, {1, 0, kScore, 0}), {1, 126, 8}},
+           Case{OutputLayout::kYolov8, with(centred, {0, kScore, 0}), {1, 7, 42}},
+           Case{OutputLayout::kYolov8, with(centred, {0, kScore, 0}), {1, 42, 7}},
+           Case{OutputLayout::kYolov8, with(fractions, {0, kScore, 0}), {1, 7, 42}},
+           Case{OutputLayout::kEndToEnd, {30, 25, 50, 35, kScore, 1}, {1, 300, 6}},
+       }) {
+    const auto boxes = static_cast<int>(c.row.size()) == c.sizes[2] ? c.sizes[1] : c.sizes[2];
+    cv::Mat list(boxes, static_cast<int>(c.row.size()), CV_32F, cv::Scalar(0));
+    std::copy(c.row.begin(), c.row.end(), list.ptr<float>(c.at));
+    const cv::Mat plane = list.cols == c.sizes[2] ? list : cv::Mat(list.t());
+    const cv::Mat output(3, c.sizes.data(), CV_32F, plane.data);
+    const cv::Mat rows = RowsOf(output, 3, "net");
+    ASSERT_EQ(LayoutOf(rows, kInput, 3), c.layout) << NameOf(c.layout);
+    const auto found = DecodeRows(rows, c.layout, kInput, 3, 0.5);
+    ASSERT_EQ(found.size(), 1U) << NameOf(c.layout);
+    EXPECT_EQ(found[0].category, 1);
+    EXPECT_NEAR(found[0].score, kScore, 1e-6);
+    ExpectBox(found[0].box, {30, 25, 50, 35});
+  }
 }
 
-// Cell 9 is the second cell in the second row of the first level, cell 33 the second cell of the
-// second level.
-TEST(NetworkOutput, YoloxCells) {
-  cv::Mat output = Zeros({1, 42, 6});
-  for (const int cell : {9, 33}) {
-    float* row = output.ptr<float>(0, cell);
-    row[0] = 0.5F;
-    row[1] = 0.25F;
-    row[2] = static_cast<float>(std::log(2.0));
-    row[4] = 0.5F;
-    row[5] = 0.8F;
-  }
-  const auto boxes = DecodeOutput(output, OutputLayout::kYolox, kInput, 1, 0.3);
-  ASSERT_EQ(boxes.size(), 2U);
-  EXPECT_NEAR(boxes[0].score, 0.4, 1e-6);
-  ExpectBox(boxes[0].box, {12 - 8, 10 - 4, 12 + 8, 10 + 4});
-  ExpectBox(boxes[1].box, {24 - 16, 4 - 8, 24 + 16, 4 + 8});
-}
-
-TEST(NetworkOutput, Yolov5AndYolov8) {
-  cv::Mat v5 = Zeros({1, 126, 6});
-  cv::Mat v8 = Zeros({1, 5, 42});
-  const float values[6] = {30, 20, 10, 4, 0.5F, 0.9F};
-  for (int i = 0; i < 6; ++i) v5.ptr<float>(0, 100)[i] = values[i];
-  for (int i = 0; i < 4; ++i) v8.ptr<float>(0, i)[40] = values[i];
-  v8.ptr<float>(0, 4)[40] = 0.45F;
-  for (const auto& boxes : {DecodeOutput(v5, OutputLayout::kYolov5, kInput, 1, 0.3),
-                            DecodeOutput(v8, OutputLayout::kYolov8, kInput, 1, 0.3)}) {
-    ASSERT_EQ(boxes.size(), 1U);
-    EXPECT_NEAR(boxes[0].score, 0.45, 1e-6);
-    ExpectBox(boxes[0].box, {25, 18, 35, 22});
-  }
+TEST(NetworkOutput, OtherOutputsAreRefused) {
+  const auto problem = [](const std::vector<int>& sizes, int categories) {
+    return ErrorMessage([&] { RowsOf(Zeros(sizes), categories, "net"); });
+  };
+  EXPECT_THAT(problem({1, 42, 9}, 3), testing::HasSubstr("net: found an output of 1 x 42 x 9, "));
+  EXPECT_THAT(problem({1, 39, 42}, 3), testing::HasSubstr("segmentation head"));
+  EXPECT_THAT(problem({1, 32, 16, 16}, 3), testing::HasSubstr("segmentation head"));
+  const cv::Mat open = RowsOf(Zeros({1, 300, 6}), 2, "net");
+  EXPECT_FALSE(LayoutOf(open, kInput, 2)) << "two classes, or end-to-end";
 }
 
 TEST(NetworkOutput, KeepsTheBestOfOverlappingBoxesOfAClass) {

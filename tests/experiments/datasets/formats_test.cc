@@ -149,6 +149,13 @@ TEST_F(Boxes, ParsesDetectionRowsOfEitherLength) {
   EXPECT_EQ(score("-1000 -1000 -1000 -10 -2.15213\n"), -2.15213);
   EXPECT_EQ(score("-1 -1 -1 -1 -1 1 \n"), 1.0);
   EXPECT_EQ(score("-1 -1 -1 -1\n"), std::nullopt);
+  const auto label = ReadLabels(
+      folder_.Write("boxes.txt", "1.00 2000.000000 Car 0.00 -1.00 0 1 2 3 4 -1 -1 -1 0 0 0 0 0.9"),
+      10);
+  EXPECT_EQ(label[0].track, 2000) << "a tracker wrote integers as floats, and a score";
+  EXPECT_EQ(label[0].occlusion, -1);
+  EXPECT_THAT(LabelError("1.5 2 Car 0 0 0 1 2 3 4 -1 -1 -1 0 0 0 0"),
+              HasSubstr("boxes.txt:1: found \"1.5\" in column 1, expected a whole number"));
   EXPECT_TRUE(ReadDetections(folder_.Write("boxes.txt", ""), 10).empty());
 }
 

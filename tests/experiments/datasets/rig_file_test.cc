@@ -15,6 +15,8 @@
 namespace cvo::rig_file_test {
 namespace {
 
+namespace fs = std::filesystem;
+
 // The calibration of the EuRoC cameras, as published in their sensor.yaml.
 StereoRig Euroc() {
   Eigen::Matrix3d left_turn;
@@ -196,6 +198,71 @@ TEST_F(RigFile, ReadsOpenCvCalibration) {
   EXPECT_EQ(rig.right.lens, LensModel::kPinhole);  // because all coefficients are zero
   EXPECT_EQ(rig.right.fy, 503.0);
   EXPECT_EQ(rig.right_from_left.translation().x(), -0.06);
+}
+
+// One rig as each program writes it: 450 px, a baseline of 0.12 m, no distortion.
+TEST_F(RigFile, ReadsOneRigInEveryFormat) {
+  const std::string k = "[450., 0., 319.5, 0., 450., 239.5, 0., 0., 1.]\n";
+  const std::string turn = "[1., 0., 0., 0., 1., 0., 0., 0., 1.]\n";
+  const auto kalibr = [](const char* name, const char* key, double x) {
+    return StrCat(name, ":\n  camera_model: pinhole\n  intrinsics: [450., 450., 319.5, 239.5]\n",
+                  "  distortion_model: radtan\n  distortion_coeffs: [0., 0., 0., 0.]\n",
+                  "  resolution: [640, 480]\n  ", key, ": [[1., 0., 0., ", x,
+                  "], [0., 1., 0., 0.01], [0., 0., 1., 0.], [0., 0., 0., 1.]]\n");
+  };
+  const auto matrices = [&](const char* zeros) {
+    return StrCat("M1: ", k, "D1: [", zeros, "]\nM2: ", k, "D2: [", zeros, "]\n");
+  };
+  const auto ros = [&](double offset_px) {
+    return StrCat(
+        "image_width: 640\nimage_height: 480\ncamera_matrix:\n  rows: 3\n  data: ", k,
+        "distortion_model: plumb_bob\ndistortion_coefficients:\n  data: [0, 0, 0, 0, 0]\n",
+        "rectification_matrix:\n  data: ", turn, "projection_matrix:\n  data: [450, 0, ", "319.5, ",
+        offset_px, ", 0, 450, 239.5, 0, 0, 0, 1, 0]\n");
+  };
+  const auto orb = [](const std::string& name, const std::string& more) {
+    return StrCat(name, ".fx: 450.0\n", name, ".fy: 450.0\n", name, ".cx: 319.5\n", name,
+                  ".cy: 239.5\n", more);
+  };
+  const std::string pose = StrCat("R: ", turn, "T: [-0.12, 0., 0.]\n");
+  struct Case {
+    std::string first;
+    std::string second = {};
+  };
+  for (const Case& c : {
+           Case{kalibr("cam0", "T_cam_imu", 0.05) + kalibr("cam1", "T_cam_imu", -0.07)},
+           Case{"%YAML:1.0\n" + kalibr("cam0", "T_imu_cam", -0.05) +
+                kalibr("cam1", "T_imu_cam", 0.07)},
+           Case{matrices("0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0") + pose},
+           Case{matrices("0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0") + pose},
+           Case{"%YAML:1.0\n---\n" + matrices("0, 0, 0, 0, 0"), "%YAML:1.0\n---\n" + pose},
+           Case{ros(0.0), ros(-54.0)},
+           Case{orb("Camera", "Camera.bf: 54.0\nCamera.k1: 0.0\n")},
+           Case{orb("Camera1", orb("Camera2",
+                                   "Stereo.T_c1_c2: !!opencv-matrix\n  rows: 4\n  data: [1, 0, 0, "
+                                   "0.12, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]\n"))},
+           Case{orb("Camera",
+                    StrCat("LEFT.K: ", k, "LEFT.D: [0, 0, 0, 0, 0]\nLEFT.R: ", turn,
+                           "LEFT.P: [450, 0, 319.5, 0, 0, 450, 239.5, 0, 0, 0, 1, 0]\n",
+                           "RIGHT.K: ", k, "RIGHT.D: [0, 0, 0, 0, 0]\nRIGHT.R: ", turn,
+                           "RIGHT.P: [450, 0, 319.5, -54, 0, 450, 239.5, 0, 0, 0, 1, 0]\n"))},
+       }) {
+    const fs::path second = c.second.empty() ? "" : folder_.Write("second", c.second);
+    const StereoRig rig = ReadStereoRig(folder_.Write("calib", c.first), second);
+    EXPECT_TRUE(IsRectified(rig)) << c.first;
+    EXPECT_EQ(rig.left.fx, 450.0) << c.first;
+    EXPECT_EQ(rig.right.cy, 239.5) << c.first;
+    EXPECT_NEAR(rig.right_from_left.translation().x(), -0.12, 1e-12) << c.first;
+  }
+  ExpectError(ros(0.0), "found one camera alone, expected both cameras: --calib LEFT RIGHT");
+  ExpectError(matrices("0, 0, 0, 0"), "of two files give both");
+  ExpectError(pose, "found keys \"R T\", expected those of a calibration that is read: ours");
+  ExpectError("fx: 1\nfx: 2\n", "fx: found the key twice");
+  ExpectError("fx: 1\n---\nfx: 2\n", "found 2 YAML documents");
+  EXPECT_THAT(ErrorMessage([&] {
+                ReadStereoRig(folder_.Write("a", ros(-54.0)), folder_.Write("b", ros(0.0)));
+              }),
+              testing::HasSubstr("left and right may be swapped"));
 }
 
 // Calibrations that are impossible for cameras with images of this size.

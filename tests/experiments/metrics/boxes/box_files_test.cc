@@ -4,12 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/error.h"
 #include "experiments/metrics/boxes/average_precision.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
 
 namespace cvo::ap_files_test {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kObject = "Car 0.5 1 0 10 20 60 80 1.5 1.6 3.9 1 2 30 0.1";
 
@@ -31,12 +34,12 @@ TEST_F(ApFiles, ReadsTrackingFiles) {
   folder_.Write("rows.txt", std::string("0 1 ") + kObject + " 0.3\n3 1 " + kObject + " 0.4\n");
   const auto frames =
       ReadApFrames(folder_.path() / "labels.txt", folder_.path() / "rows.txt", {1, -1});
-  ASSERT_EQ(frames.size(), 3U);  // frames 1, 2 and 3
-  ASSERT_EQ(frames[1].labels.size(), 1U);
-  EXPECT_EQ(frames[1].labels[0].truncation, 0.5);
-  EXPECT_EQ(frames[1].labels[0].box3d->bottom_in_camera.z(), 30.0);
-  ASSERT_EQ(frames[2].detections.size(), 1U);
-  EXPECT_EQ(frames[2].detections[0].score, 0.4);
+  ASSERT_EQ(frames.size(), 2U);  // frames 2 and 3
+  ASSERT_EQ(frames[0].labels.size(), 1U);
+  EXPECT_EQ(frames[0].labels[0].truncation, 0.5);
+  EXPECT_EQ(frames[0].labels[0].box3d->bottom_in_camera.z(), 30.0);
+  ASSERT_EQ(frames[1].detections.size(), 1U);
+  EXPECT_EQ(frames[1].detections[0].score, 0.4);
 }
 
 TEST_F(ApFiles, ReadsObjectFolders) {
@@ -65,6 +68,12 @@ TEST_F(ApFiles, BadInput) {
   folder_.Write("two/2.txt", std::string(kObject) + "\n");
   ExpectError("two", "two", "found scores of 1 of 2 detections");
   ExpectError("nothing.txt", "rows.txt", "nothing.txt");
+  const fs::path twice = folder_.Write(
+      "twice.txt", StrCat("0 1 ", kObject, "\n1.00 2.00 ", kObject, "\n1 2 ", kObject));
+  EXPECT_EQ(ReadApFrames(twice.parent_path() / "rows.txt", twice, {}).size(), 2U);
+  EXPECT_THAT(
+      ErrorMessage([&] { ReadApFrames(twice.parent_path() / "rows.txt", twice, {}, true); }),
+      testing::HasSubstr("twice.txt:3: found track 2 of frame 1 a second time"));
   std::filesystem::create_directory(folder_.path() / "empty");
   ExpectError("empty", "empty", "no <number>.txt");
 }
