@@ -310,7 +310,9 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
     EXPECT_EQ(refused, "");
     const std::vector<std::string> lines = FindImplausible(sequence, c.repeated);
     ASSERT_EQ(lines.size(), c.message.empty() ? 0U : 1U) << c.message;
-    if (!lines.empty()) EXPECT_THAT(lines[0], HasSubstr(c.message));
+    if (!lines.empty()) {
+      EXPECT_THAT(lines[0], HasSubstr(c.message));
+    }
   }
 }
 
