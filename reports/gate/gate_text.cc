@@ -70,8 +70,9 @@ std::string Headline(const GateReport& report) {
 }  // namespace
 
 std::string ToleranceText(const Comparison& comparison) {
-  return comparison.relative ? FormatGeneral(100.0 * comparison.tolerance, 3) + " %"
-                             : FormatGeneral(comparison.tolerance, 3);
+  if (!comparison.relative) return FormatGeneral(comparison.tolerance, 3);
+  const double percent = 100.0 * comparison.tolerance;
+  return percent < 1e4 ? FormatGeneral(percent, 3) + " %" : "any factor";
 }
 
 std::string NoticedText(const Baseline& baseline) {

@@ -300,10 +300,10 @@ StereoRig ReadAny(const fs::path& path, const fs::path& second) {
   }
   if (map.Has("Camera.fx") || map.Has("Camera1.fx")) return ReadOrbSlam(map);
   if (map.Has("fx") || map.Has("left")) return ReadOurs(map);
-  ThrowError(path.string(), "keys " + map.Keys(),
-             "those of a calibration that is read: ours (fx fy cx cy baseline_m, or left right "
-             "right_from_left), KITTI (P0 P1), Kalibr (cam0 cam1), OpenCV (M1 D1 M2 D2 R T, in one "
-             "or two files), ROS (camera_info of both cameras), ORB-SLAM2 or 3 (Camera.fx ...)");
+  ThrowError(
+      path.string(), "keys " + map.Keys(),
+      "a calibration of ours (fx ... baseline_m), KITTI, Kalibr, OpenVINS, OpenCV (one or two "
+      "files), ROS (camera_info of both cameras), ORB-SLAM2 or ORB-SLAM3");
 }
 
 void Check(const fs::path& path, const char* name, const LensCamera& camera) {

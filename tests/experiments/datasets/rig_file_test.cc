@@ -256,7 +256,7 @@ TEST_F(RigFile, ReadsOneRigInEveryFormat) {
   }
   ExpectError(ros(0.0), "found one camera alone, expected both cameras: --calib LEFT RIGHT");
   ExpectError(matrices("0, 0, 0, 0"), "of two files give both");
-  ExpectError(pose, "found keys \"R T\", expected those of a calibration that is read: ours");
+  ExpectError(pose, "found keys \"R T\", expected a calibration of ours");
   ExpectError("fx: 1\nfx: 2\n", "fx: found the key twice");
   ExpectError("fx: 1\n---\nfx: 2\n", "found 2 YAML documents");
   EXPECT_THAT(ErrorMessage([&] {
