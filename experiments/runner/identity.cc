@@ -11,8 +11,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <exception>
-#include <mutex>
 #include <opencv2/core/utility.hpp>
 #include <optional>
 #include <string>

@@ -6,9 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/base/task_pool.h"
-#include "core/files/json/json.h"
-#include "core/files/sha256.h"
-#include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/sequence.h"

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/base/lists.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/suite/run_suite.h"
 #include "experiments/suite/run_plan.h"
