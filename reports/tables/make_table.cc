@@ -147,10 +147,11 @@ std::string ValuesOf(const RowRuns& row, const std::vector<std::string>& keys) {
   std::set<std::string> values;
   for (const SuiteRun* run : row.runs) {
     if (!run->run) continue;
+    const std::string of = StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys), " ");
     for (const MetricValue& metric : run->run->metrics) {
-      values.insert(StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys), " ", metric.name, " ",
-                           FormatDouble(metric.value)));
+      values.insert(StrCat(of, metric.name, " ", FormatDouble(metric.value)));
     }
+    if (run->run->bodies) values.insert(of + DumpJson(ToJson(*run->run->bodies)));
   }
   return Joined(values, "\n");
 }

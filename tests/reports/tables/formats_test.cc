@@ -131,8 +131,8 @@ TEST(TableListing, ShowsAllValuesWithTheirIntervals) {
       AllOf(HasSubstr("\ndrive_1  static  0:72  devkit  1/1\n  coverage  1.000\n"
                       "  ATE [m]   0.062  0.005..0.070\n"),
             HasSubstr("\nClusterVO [b]  0:144\n  ATE [m]  (0.26)\n"),
-            HasSubstr("low..high, ATE: least and largest of 3 runs of one scene\n"),
             HasSubstr("n, coverage, ATE: 1 scene, 1 seed, 1 run\n"
+                      "low..high, ATE: least and largest of 3 runs of one scene\n"
                       "(in brackets): not comparable with ours: other scenes, frames or images"),
             HasSubstr("[a] measured\n[b] a paper; a caveat\n")));
 }
