@@ -86,7 +86,7 @@ void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
   constexpr double kNoise_m = 1.0;  // of a measured ground truth
   const auto& truth = sequence.groundtruth_world_from_camera;
   std::vector<std::string> jumps;
-  for (std::size_t i = 0; i < steps_s.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < truth.size(); ++i) {
     if (!truth[i] || !truth[i + 1]) continue;
     const double moved_m = (truth[i + 1]->translation() - truth[i]->translation()).norm();
     if (moved_m <= kNoise_m + kFastest_m_s * steps_s[i]) continue;

@@ -103,27 +103,6 @@ bool TellsRotations(const Trajectory& poses) {
 
 }  // namespace
 
-TimeUnit TimeUnitOf(const std::vector<std::string_view>& texts, double longest_step_s) {
-  constexpr double kLargestClock_s = 1e11;
-  constexpr std::array kNames = {"s", "ms", "us", "ns"};
-  std::vector<double> times;
-  for (const std::string_view text : texts) {
-    if (const auto time = ParseDouble(text)) times.push_back(*time);
-  }
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  const double step = steps.empty() ? 0.0 : Median(std::move(steps));
-  double per_second = 1.0;
-  std::size_t unit = 0;
-  while (unit + 1 < kNames.size() &&
-         (step > longest_step_s * per_second ||
-          (!times.empty() && times.front() > kLargestClock_s * per_second))) {
-    per_second *= 1000.0;
-    ++unit;
-  }
-  return {kNames[unit], static_cast<std::int64_t>(1e9 / per_second), step / per_second};
-}
-
 TrajectoryFile ReadTrajectory(const std::filesystem::path& path) {
   const TextFile file(path);
   const Columns columns = ColumnsOf(file);

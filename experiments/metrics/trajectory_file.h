@@ -40,15 +40,6 @@ TrajectoryFile ReadTrajectory(const std::filesystem::path& path);
 // Written files read back as the same trajectory, with times exact to 1 ns.
 std::string FormatTumTrajectory(const Trajectory& trajectory);
 
-// The unit of times, and their median step in it: the longest one in which the step is at most
-// `longest_step_s` and the first time a clock's, which counts seconds from 1970 in 10 digits.
-struct TimeUnit {
-  const char* name = "s";  // s, ms, us, ns
-  std::int64_t ns = 1'000'000'000;
-  double step_s = 0.0;
-};
-TimeUnit TimeUnitOf(const std::vector<std::string_view>& texts, double longest_step_s);
-
 // KITTI pose files: world_from_camera of frame i in line i, without timestamps. Reading is strict
 // and throws Error with file and line. Written numbers read back as the same doubles.
 std::vector<RigidTransform> ReadKittiPoses(const std::filesystem::path& path);

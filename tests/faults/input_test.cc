@@ -218,8 +218,8 @@ TEST_F(InputFaults, ImplausibleTruth) {
   WriteFileBytes(drive / "poses.txt", Replaced(poses, "\n1 0 0 ", "\n1 0 0 50000"));
   const ProcessResult run = Run(arguments);
   EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("implausible: times, frame 3: 2.8 s after the one before"));
-  EXPECT_THAT(run.out, HasSubstr("implausible: ground truth of the camera, frame 1: 5"));
+  EXPECT_THAT(run.out, HasSubstr("warning: times, frame 3: 2.8 s after the one before"));
+  EXPECT_THAT(run.out, HasSubstr("warning: ground truth of the camera, frame 1: 5"));
   EXPECT_EQ(ReadJson(At("out/result.json"))["sequence"]["warnings"].size(), 2U);
   EXPECT_THAT(Run({"info", drive.string()}).out, HasSubstr("implausible"));
   const std::string label = "1 3 Car 0 0 0 10 10 40 40 1.5 1.6 4 0 1 8 0\n";

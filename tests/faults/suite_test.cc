@@ -113,13 +113,15 @@ TEST_F(SuiteFaults, Markdown) {
 
 // Killed processes used to leave files behind that were never removed.
 TEST_F(SuiteFaults, Leftovers) {
-  ExpectDone(Suite("run"));
   std::vector<fs::path> left;
-  for (const char* folder : {"cache/frontend", "out", "out/failed"}) {
-    left.push_back(
-        folder_.Write(fs::path(folder) / TemporaryName("x") / "a", "half").parent_path());
+  const auto leave = [&](const fs::path& folder) {
+    left.push_back(folder_.Write(folder / TemporaryName("x") / "a", "half").parent_path());
     fs::last_write_time(left.back(), fs::file_time_type::clock::now() - std::chrono::hours(25));
-  }
+  };
+  leave("cache/frontend");
+  ExpectDone(Suite("run"));
+  leave("out");
+  leave("out/failed");
   const fs::path live = folder_.Write(fs::path("out") / TemporaryName("live"), "table");
   fs::remove(FirstResult());
   ExpectDone(Suite("run"));

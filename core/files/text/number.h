@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cvo {
 
@@ -32,5 +33,14 @@ std::string FormatGeneral(double value, int digits);
 std::string FormatSigned(double value, int digits);
 // Returns the number that FormatGeneral writes.
 double RoundedTo(double value, int digits);
+
+// The unit of times, and their median step in it: the longest one in which the step is at most
+// `longest_step_s` and the first time a clock's, which counts seconds from 1970 in 10 digits.
+struct TimeUnit {
+  const char* name = "s";  // s, ms, us, ns
+  std::int64_t ns = 1'000'000'000;
+  double step_s = 0.0;
+};
+TimeUnit TimeUnitOf(const std::vector<std::string_view>& texts, double longest_step_s);
 
 }  // namespace cvo

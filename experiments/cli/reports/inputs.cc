@@ -148,7 +148,7 @@ PlotInput ReadRunInput(const std::string& path) {
 
 double Seconds(std::int64_t time_ns) { return 1e-9 * static_cast<double>(time_ns); }
 
-PlotInput ReadPlotInput(const std::string& path) {
+PlotInput ReadPlotInput(const std::string& path, std::string& notes) {
   PlotInput input;
   if (fs::is_directory(path)) {
     input = ReadRunInput(path);
@@ -161,11 +161,11 @@ PlotInput ReadPlotInput(const std::string& path) {
       input.poses = std::move(file.poses);
       input.has_rotations = file.has_rotations;
       if (!file.left_out.empty()) {
-        std::cerr << "note: " << path << ": " << file.left_out.size() << " rows of NaN left out\n";
+        notes += StrCat("note: ", path, ": ", file.left_out.size(), " rows of NaN left out\n");
       }
       if (!file.has_rotations) {
-        std::cerr << "note: " << path << ": quaternions that are all zero or all the same, so no "
-                  << "errors of rotation\n";
+        notes += StrCat("note: ", path, ": quaternions that are all zero or all the same, so no ",
+                        "errors of rotation\n");
       }
     } else {
       input.poses = ReadKittiTrajectory(path);

@@ -39,6 +39,7 @@ struct PlotContent {
   std::optional<PlotReference> reference;
   PlotMatching matching;
   std::vector<PlotTrack> tracks;  // one per input
+  std::string notes;              // of ReadPlotInput
 };
 
 // What is drawn of positions and times.
@@ -58,8 +59,12 @@ TrajectoryAlignment AlignmentOf(const std::string& align, const PlotContent& con
 
 PlotContent ReadContent(const PlotFlags& flags) {
   PlotContent content;
-  for (const std::string& path : flags.inputs) content.inputs.push_back(ReadPlotInput(path));
-  if (!flags.groundtruth.empty()) content.inputs.push_back(ReadPlotInput(flags.groundtruth));
+  for (const std::string& path : flags.inputs) {
+    content.inputs.push_back(ReadPlotInput(path, content.notes));
+  }
+  if (!flags.groundtruth.empty()) {
+    content.inputs.push_back(ReadPlotInput(flags.groundtruth, content.notes));
+  }
   MakeComparable(content.inputs);
   if (!flags.groundtruth.empty()) {
     const PlotInput truth = std::move(content.inputs.back());
@@ -247,6 +252,7 @@ int DrawPlot(const PlotFlags& flags) {
   WriteOutputFile(flags.suite.output, FigureFile(figure, flags.suite.style, format), read);
   std::cout << figure.title << '\n';
   PrintTracks(content.tracks);
+  std::cerr << content.notes;
   std::cout << "written: " << flags.suite.output << '\n';
   return 0;
 }

@@ -126,9 +126,9 @@ struct PlotInput {
 };
 
 // Reads a trajectory. A folder is a run; a file is in KITTI's format or one that ReadTrajectory
-// reads. Tells on stderr how many rows of NaN are left out, and that a file has no rotations.
-// Throws Error naming the file, the line and what was expected.
-PlotInput ReadPlotInput(const std::string& path);
+// reads. Adds to `notes`, in lines for stderr, how many rows of NaN are left out, and that a file
+// has no rotations. Throws Error naming the file, the line and what was expected.
+PlotInput ReadPlotInput(const std::string& path, std::string& notes);
 
 // Makes the names unique and the times comparable: if one of the inputs is a KITTI file, all poses
 // are matched by their position in the file, and Error is thrown if the numbers of poses differ.

@@ -98,8 +98,9 @@ void PrintEvaluations(const std::vector<PlotTrack>& tracks,
 
 int EvaluateFiles(const TrajectoryFlags& flags) {
   std::vector<PlotInput> inputs;
-  for (const std::string& file : flags.estimates) inputs.push_back(ReadPlotInput(file));
-  inputs.push_back(ReadPlotInput(flags.groundtruth));
+  std::string notes;
+  for (const std::string& file : flags.estimates) inputs.push_back(ReadPlotInput(file, notes));
+  inputs.push_back(ReadPlotInput(flags.groundtruth, notes));
   MakeComparable(inputs);
   const PlotReference truth = {inputs.back().name, inputs.back().poses, true, false,
                                inputs.back().has_rotations};
@@ -117,6 +118,7 @@ int EvaluateFiles(const TrajectoryFlags& flags) {
     evaluations.push_back(EvaluationJson(tracks.back(), metrics.back(), matching.alignment));
     evaluations.back()["estimate"] = input.name;
   }
+  std::cerr << notes;
   if (flags.json) {
     Json json = {{"schema_version", 2}, {"kind", "evaluation"}};
     if (inputs.size() == 1) {

@@ -268,6 +268,9 @@ std::string ShellWord(const std::string& path) {
 }
 
 int Run(Flags flags) {
+  if (flags.sequence.folder.empty() && flags.sequence.stereo.left.empty()) {
+    throw UsageError(kSequenceMissing);
+  }
   if (flags.output.empty()) flags.output = DefaultOutput(flags);
   const VariantInfo& variant = FindVariant(flags.variant);
   const Options options = ResolveOptions<Options>(flags.config, flags.set, variant.defaults());

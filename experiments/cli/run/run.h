@@ -17,6 +17,9 @@
 namespace cvo {
 
 // Flags that select the sequence to read, and the part of it.
+inline constexpr const char* kSequenceMissing =
+    "no sequence: give a folder, or --left, --right and --calib";
+
 struct SequenceFlags : SequenceRequest {
   std::string frames;        // "A:B"
   std::string layout_flag;   // JSON, or a file

@@ -154,7 +154,7 @@ SequenceRequest SequenceFlags::Request(bool quiet) const {
   SequenceRequest request = *this;
   if (stereo.left.empty() && stereo.right.empty()) {
     if (folder.empty()) {
-      throw UsageError("no sequence: give a folder, or --left, --right and --calib");
+      throw UsageError(kSequenceMissing);
     }
     CheckSequenceFolder(folder);
   } else {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "core/geometry/rigid_transform.h"
-#include "experiments/metrics/trajectory_file.h"
 
 namespace cvo {
 

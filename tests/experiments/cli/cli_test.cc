@@ -66,7 +66,6 @@ TEST_F(Cli, WrongUsage) {
        {{"info", tiny(), "more"},
         "clustervo info: unexpected argument \"more\" (see clustervo info"},
        {{"walk"}, "\"walk\", expected one of run, detect, "},
-       {{"run", tiny()}, "--output"},
        {{"run", "-o", out()}, "no sequence"},
        {{"run"}, "no sequence: give a folder, or --left, "},
        {{"run", tiny(), "-o", ""}, "--output: found an empty name, expected "}});

@@ -174,9 +174,9 @@ TEST_F(Sequences, OpensTrackingByItsImageFolderOrWithASlash) {
 
 TEST_F(Sequences, FrameRangeAppliesToEverything) {
   const fs::path boxes = root_.Write("boxes.txt",
-                                     "0 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n"
-                                     "2 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n"
-                                     "4 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n");
+                                     "0 -1 Car -1 -1 -10 0 0 4 4 -1 -1 -1 -1 -1 -1 -10 0.5\n"
+                                     "2 -1 Car -1 -1 -10 0 0 4 4 -1 -1 -1 -1 -1 -1 -10 0.5\n"
+                                     "4 -1 Car -1 -1 -10 0 0 4 4 -1 -1 -1 -1 -1 -1 -10 0.5\n");
   const Sequence s = OpenSequence({.folder = WriteRawDrive(root_, 5),
                                    .begin_frame = 1,
                                    .end_frame = 4,

@@ -195,10 +195,6 @@ TEST(KittiTrackingRules, SomeUnmatchedBoxesAreForgiven) {
   EXPECT_TRUE(Counted({}, {Box("Pedestrian", 1, 0)}).estimate.empty());
 }
 
-TEST(KittiTrackingRules, ATrackHasOneBoxPerFrame) {
-  EXPECT_THROW(Counted({}, {Box("Car", 1, 0), Box("Car", 1, 100)}), Error);
-}
-
 // Each reported box is matched to the labelled box that it lies on, whatever their order.
 TEST(KittiTrackingRules, BoxesAreMatchedOneByOne) {
   const TrackedFrame frame =
