@@ -16,10 +16,10 @@
 
 namespace cvo {
 
-// Flags that select the sequence to read, and the part of it.
 inline constexpr const char* kSequenceMissing =
     "no sequence: give a folder, or --left, --right and --calib";
 
+// Flags that select the sequence to read, and the part of it.
 struct SequenceFlags : SequenceRequest {
   std::string frames;        // "A:B"
   std::string layout_flag;   // JSON, or a file

@@ -163,7 +163,8 @@ TEST_F(CliPlot, BadInputGivesOneLine) {
               "comma.csv:1: found 1 columns");
   ExpectError(Plot({Path("none.txt")}), "none.txt");
   ExpectError(Plot({Tum("one.txt", 0.0, 1), "--groundtruth", truth}),
-              "one.txt: found 1 poses that match one of truth, at 100.000000000 to 100.000000000 s, expected "
+              "one.txt: found 1 poses that match one of truth, at 100.000000000 to 100.000000000 "
+              "s, expected "
               "2 or more within 0.02 s of 100.0");
   ExpectError(Plot({truth}, "truth.txt/plot.svg"), "truth.txt");
   ExpectError(RunProgram({"plot", truth, "-o", out("plot.pdf")},
