@@ -64,7 +64,7 @@ class FeatureWorld {
                                   du + 0.5 * noise_px * rng_.Normal());
       StereoFeature feature;
       feature.z_px = *z + noise;
-      feature.disagreement_px = DisagreementOf(0.5 * noise_px);
+      feature.disagreement_px = test::DisagreementOf(0.5 * noise_px);
       feature.descriptor = descriptors_[i];
       frame.features.push_back(feature);
     }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "core/base/rng.h"
+#include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "tests/support/error_message.h"
 #include "tests/support/temp_folder.h"
