@@ -36,10 +36,21 @@ double Scaled(const std::string& metric, double value) {
   return IsRelative(metric) ? std::log(std::max(value, kLeastError)) : value;
 }
 
-// Scenes are told apart by their images where these are known, whatever their names are.
-std::string SceneId(const BaselineJob& job) {
+// The first name of the scene that has these images: each seed of a rendered scene has its own, and
+// one scene may be in the suite under several names.
+using NamesByImages = std::map<std::string, std::string>;
+
+NamesByImages NamesOf(const std::vector<BaselineJob>& jobs) {
+  NamesByImages names;
+  for (const BaselineJob& job : jobs) {
+    if (!job.images.empty()) names.try_emplace(job.images, job.keys.at("sequence"));
+  }
+  return names;
+}
+
+std::string SceneId(const BaselineJob& job, const NamesByImages& names) {
   RunKeys keys = job.keys;
-  if (!job.images.empty()) keys["sequence"] = job.images;
+  if (!job.images.empty()) keys["sequence"] = names.at(job.images);
   return Json(keys).dump();
 }
 
@@ -64,8 +75,8 @@ void AddSpread(const std::vector<const BaselineJob*>& jobs, const std::string& m
 }
 
 // Without scenes of one seed, whose spread is not known.
-std::vector<ScenePairs> GatherScenes(const JobsOfScenes& jobs, const std::string& metric,
-                                     const std::string& variant,
+std::vector<ScenePairs> GatherScenes(const JobsOfScenes& jobs, const NamesByImages& names,
+                                     const std::string& metric, const std::string& variant,
                                      const std::vector<RunPair>& pairs) {
   std::vector<ScenePairs> scenes;
   for (const RunPair& pair : pairs) {
@@ -76,7 +87,7 @@ std::vector<ScenePairs> GatherScenes(const JobsOfScenes& jobs, const std::string
       continue;
     }
     ScenePairs fresh;
-    fresh.id = SceneId(job);
+    fresh.id = SceneId(job, names);
     fresh.label = SceneLabel(job.keys);
     ScenePairs& scene = FindOrAdd(scenes, &ScenePairs::id, std::move(fresh));
     if (scene.label != SceneLabel(job.keys) &&
@@ -101,12 +112,13 @@ struct Candidate {
 std::vector<Candidate> FindCandidates(const Baseline& baseline, const std::vector<RunPair>& pairs) {
   std::vector<std::string> variants;
   for (const RunPair& pair : pairs) AddOnce(pair.baseline->keys.at("variant"), variants);
+  const NamesByImages names = NamesOf(baseline.jobs);
   JobsOfScenes jobs;
-  for (const BaselineJob& job : baseline.jobs) jobs[SceneId(job)].push_back(&job);
+  for (const BaselineJob& job : baseline.jobs) jobs[SceneId(job, names)].push_back(&job);
   std::vector<Candidate> candidates;
   for (const std::string& variant : variants) {
     for (const BaselineMetric& metric : baseline.metrics) {
-      const std::vector<ScenePairs> scenes = GatherScenes(jobs, metric.name, variant, pairs);
+      const std::vector<ScenePairs> scenes = GatherScenes(jobs, names, metric.name, variant, pairs);
       if (scenes.empty()) continue;
       Comparison empty;
       empty.variant = variant;
