@@ -70,8 +70,8 @@ AreaTaps MakeTaps(int source_size, int size) {
 // Four neighbouring pixels, whose taps lie within the eight sums from `first` on.
 struct TapBlock {
   int first;
-  alignas(16) std::array<std::uint8_t, 16> pairs,
-      thirds;  // bytes of the sums of taps 0, 1 and of tap 2
+  // The bytes of the sums of taps 0 and 1, and of tap 2.
+  alignas(16) std::array<std::uint8_t, 16> pairs, thirds;
   alignas(16) std::array<std::int16_t, 8> pair_taps, third_taps;
 };
 constexpr int kBlock = 4;

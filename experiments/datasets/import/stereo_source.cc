@@ -83,11 +83,9 @@ void CheckAllIn(const std::map<std::string, fs::path>& others, const Files& file
   }
 }
 
-using NameTimes = ImageTimes;
-
 // The times in the names of files. None unless all names are numbers, with a decimal point or as
 // large as those of clocks, which those of frames are not.
-NameTimes TimesOfNames(const Files& files, const fs::path& folder) {
+ImageTimes TimesOfNames(const Files& files, const fs::path& folder) {
   constexpr double kLeastClock = 1e8;
   const std::map<double, fs::path> by_value = ByValue(files);
   const auto has_point = [](const fs::path& file) {
@@ -102,7 +100,7 @@ NameTimes TimesOfNames(const Files& files, const fs::path& folder) {
   for (const fs::path& file : files) stems.push_back(file.stem().string());
   const std::string where = folder.string() + ", names of images";
   const TimeUnit unit = ImageTimeUnit({stems.begin(), stems.end()}, where);
-  NameTimes times{{}, UnitNote(unit, where)};
+  ImageTimes times{{}, UnitNote(unit, where)};
   for (const std::string& stem : stems) times.ns.push_back(ParseTimeNs(stem, unit.ns).value_or(-1));
   return times;
 }
@@ -194,8 +192,8 @@ StereoSource FindStereo(const fs::path& left, const fs::path& right) {
   StereoSource source{{ListImages(left), ListImages(right)}};
   auto& files = source.files;
   source.listed = files[0].size();
-  const NameTimes of_left = TimesOfNames(files[0], left);
-  const NameTimes of_right = TimesOfNames(files[1], right);
+  const ImageTimes of_left = TimesOfNames(files[0], left);
+  const ImageTimes of_right = TimesOfNames(files[1], right);
   if (of_left.ns.empty() || of_right.ns.empty()) {
     CheckPartners(files[0], files[1]);
     if (files[0].size() != files[1].size()) {
