@@ -29,7 +29,7 @@ const VariantInfo& FindVariant(std::string_view name);
 
 // Number of source files, generated from instantiate.cc.in, in which variants are compiled in
 // parallel. Variant `index` of AllVariants is in file number index % kInstantiations.
-inline constexpr std::size_t kInstantiations = 4;
+inline constexpr std::size_t kInstantiations = 2;
 
 template <std::size_t kInstantiation>
 std::unique_ptr<Odometry> Instantiate(std::size_t index, const OdometrySetup& setup,

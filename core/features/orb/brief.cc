@@ -96,11 +96,11 @@ class MomentModel {
   std::array<double, kSide * kSide> covariance_;
 };
 
-struct Pair {
+struct TestPair {
   Point a, b;
 };
 
-double Correlation(const PixelModel& rho, const Pair& s, const Pair& t) {
+double Correlation(const PixelModel& rho, const TestPair& s, const TestPair& t) {
   const double covariance = rho(s.a, t.a) - rho(s.a, t.b) - rho(s.b, t.a) + rho(s.b, t.b);
   return covariance / (2.0 * std::sqrt((1.0 - rho(s.a, s.b)) * (1.0 - rho(t.a, t.b))));
 }
@@ -113,9 +113,9 @@ Point DrawPoint(Rng& rng) {
   }
 }
 
-bool IsNew(const PixelModel& rho, const std::vector<Pair>& accepted, const Pair& pair,
+bool IsNew(const PixelModel& rho, const std::vector<TestPair>& accepted, const TestPair& pair,
            double limit) {
-  for (const Pair& other : accepted) {
+  for (const TestPair& other : accepted) {
     if (std::abs(Correlation(rho, pair, other)) > limit) return false;
   }
   return true;
@@ -125,12 +125,12 @@ std::vector<BriefTest> DesignPattern() {
   const PixelModel rho;
   const MomentModel moment(rho);
   Rng rng(1, "brief pattern");
-  std::vector<Pair> accepted;
+  std::vector<TestPair> accepted;
   double limit = kFirstLimit;
   int draws = 0;
   while (accepted.size() < kTests) {
     if (++draws % kDrawsPerLimit == 0) limit += kLimitStep;
-    const Pair pair{DrawPoint(rng), DrawPoint(rng)};
+    const TestPair pair{DrawPoint(rng), DrawPoint(rng)};
     const int dx = pair.a.x - pair.b.x;
     const int dy = pair.a.y - pair.b.y;
     if (dx * dx + dy * dy < kMinLength_px * kMinLength_px) continue;
@@ -140,7 +140,7 @@ std::vector<BriefTest> DesignPattern() {
     accepted.push_back(pair);
   }
   std::vector<BriefTest> pattern;
-  for (const Pair& pair : accepted) {
+  for (const TestPair& pair : accepted) {
     pattern.push_back({static_cast<float>(pair.a.x), static_cast<float>(pair.a.y),
                        static_cast<float>(pair.b.x), static_cast<float>(pair.b.y)});
   }

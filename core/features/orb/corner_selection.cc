@@ -58,7 +58,7 @@ std::vector<CornerRegion> RightRegions(std::vector<CornerRegion> regions,
 
 namespace {
 
-constexpr double kMaxMove_px = 1.0;
+constexpr double kMaxShift_px = 1.0;
 
 // Scores of three adjacent lines (columns or rows), each smoothed along the line by (1 2 1) / 4.
 // This amounts to a least-squares fit with weights that fall off towards the corners.
@@ -91,7 +91,7 @@ Eigen::Vector2d RefineCorner(const cv::Mat& scores, int x, int y) {
       Eigen::Vector2d(mixed * rows.Slope() - rows.Curvature() * columns.Slope(),
                       mixed * columns.Slope() - columns.Curvature() * rows.Slope()) /
       determinant;
-  if (move.cwiseAbs().maxCoeff() > kMaxMove_px) return Eigen::Vector2d::Zero();
+  if (move.cwiseAbs().maxCoeff() > kMaxShift_px) return Eigen::Vector2d::Zero();
   return move;
 }
 
