@@ -11,7 +11,6 @@
 #include "core/interface/options.h"
 #include "core/record/metric_catalogue.h"
 #include "experiments/cli/command.h"
-#include "experiments/suite/collection.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
@@ -62,9 +61,6 @@ int ListSuites() {
     // Skips the checks of suites, which would build every scene.
     const Suite suite = ReadCheckedSuite(ParseJson(shipped.text, shipped.name), shipped.name);
     table.Add({suite.name, SplitOf(suite), StrCat(ExpandSuite(suite).size()), suite.about});
-  }
-  for (const ShippedSuite& shipped : ShippedCollections()) {
-    table.Add({shipped.name, "", "", FindCollection(shipped.name)->about});
   }
   table.Print(std::cout);
   return 0;

@@ -57,21 +57,23 @@ cv::Mat DecodeGrey(const std::string& bytes, bool is_png) {
 
 }  // namespace
 
-std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder, const NumberedName& name) {
-  const std::string pattern = StrCat(name.prefix, "<number>", name.extension);
+std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder,
+                                               const std::string& extension) {
+  const std::string pattern = "<number>" + extension;
   if (!fs::is_directory(folder)) {
     ThrowError(folder.string(), "no such folder", "a folder of " + pattern);
   }
   std::map<std::int64_t, fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const fs::path& path = entry.path();
-    if (name.extension == ".png" && IsJpeg(path)) {
+    if (extension == ".png" && IsJpeg(path)) {
       ThrowError(path.string(), "a JPEG image", "PNG images (JPEG changes pixels)");
     }
-    std::string stem = path.stem().string();
-    if (path.extension() != name.extension || !stem.starts_with(name.prefix)) continue;
-    stem.erase(0, name.prefix.size());
-    if (stem.find_first_not_of("0123456789") != std::string::npos) continue;
+    const std::string stem = path.stem().string();
+    if (path.extension() != extension ||
+        stem.find_first_not_of("0123456789") != std::string::npos) {
+      continue;
+    }
     const std::optional<std::int64_t> number = ParseInteger(stem);
     if (!number) continue;
     const auto [same, added] = files.emplace(*number, path);
@@ -85,8 +87,8 @@ std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder, const Num
   return files;
 }
 
-std::vector<fs::path> ListNumberedFiles(const fs::path& folder, const NumberedName& name) {
-  const std::map<std::int64_t, fs::path> files = NumberedFiles(folder, name);
+std::vector<fs::path> ListNumberedFiles(const fs::path& folder, const std::string& extension) {
+  const std::map<std::int64_t, fs::path> files = NumberedFiles(folder, extension);
   CheckNoGap(folder, files);
   std::vector<fs::path> paths;
   for (const auto& [number, path] : files) paths.push_back(path);
@@ -136,10 +138,9 @@ std::vector<std::pair<std::size_t, std::size_t>> PairByTime(const Times& left_ns
   return near.pairs;
 }
 
-StereoImages ListStereoImages(const fs::path& left_folder, const fs::path& right_folder,
-                              const NumberedName& name) {
-  const std::vector<fs::path> left = ListNumberedFiles(left_folder, name);
-  const std::vector<fs::path> right = ListNumberedFiles(right_folder, name);
+StereoImages ListStereoImages(const fs::path& left_folder, const fs::path& right_folder) {
+  const std::vector<fs::path> left = ListNumberedFiles(left_folder, ".png");
+  const std::vector<fs::path> right = ListNumberedFiles(right_folder, ".png");
   if (left.size() != right.size()) {
     ThrowError(right_folder.string(), StrCat(right.size(), " images"),
                StrCat(left.size(), ", as many as in ", left_folder.string()));

@@ -21,18 +21,11 @@ struct StereoImages {
   int height_px = 0;
 };
 
-// What precedes and follows the number in the names of numbered files.
-struct NumberedName {
-  std::string prefix = {};
-  std::string extension = ".png";
-};
-
 // Lists the numbered images of both folders and checks that they are numbered 0, 1, ... without
 // gaps, that there are equally many on both sides, and that all have the same size. Throws Error
 // otherwise.
 StereoImages ListStereoImages(const std::filesystem::path& left_folder,
-                              const std::filesystem::path& right_folder,
-                              const NumberedName& name = {});
+                              const std::filesystem::path& right_folder);
 
 // Checks from the headers that the images exist, have 8 bits per channel and are all of the same
 // size. Throws Error otherwise.
@@ -46,14 +39,14 @@ std::vector<std::pair<std::size_t, std::size_t>> PairByTime(const Times& left_ns
                                                             const std::filesystem::path& right,
                                                             std::vector<std::string>& notes);
 
-// Returns the files <prefix><number><extension> of a folder by number; others are ignored. Throws
+// Returns the files <number><extension> of a folder by number; others are ignored. Throws
 // Error if there are none, or two with one number.
 std::map<std::int64_t, std::filesystem::path> NumberedFiles(const std::filesystem::path& folder,
-                                                            const NumberedName& name);
+                                                            const std::string& extension);
 
 // Returns them sorted by number. Throws Error unless the numbers are 0, 1, ... without gaps.
 std::vector<std::filesystem::path> ListNumberedFiles(const std::filesystem::path& folder,
-                                                     const NumberedName& name);
+                                                     const std::string& extension);
 
 struct LoadedImage {
   cv::Mat grey;         // CV_8UC1; empty if there is a problem

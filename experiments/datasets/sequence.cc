@@ -163,8 +163,7 @@ FrameRange ResolveFrameRange(const FrameRange& range, int total) {
 const std::vector<SequenceLayout>& SequenceLayouts() {
   static const std::vector<SequenceLayout> layouts = {
       ClusterslamLayout(), EurocLayout(),         KittiOdometryLayout(),
-      KittiRawLayout(),    KittiTrackingLayout(), OxfordMultimotionLayout(),
-      VirtualKittiLayout()};
+      KittiRawLayout(),    KittiTrackingLayout(), OxfordMultimotionLayout()};
   return layouts;
 }
 

@@ -36,7 +36,6 @@ SequenceLayout KittiOdometryLayout();
 SequenceLayout KittiRawLayout();
 SequenceLayout KittiTrackingLayout();
 SequenceLayout OxfordMultimotionLayout();
-SequenceLayout VirtualKittiLayout();
 // Returns all of them, sorted by type.
 const std::vector<SequenceLayout>& SequenceLayouts();
 

@@ -10,7 +10,6 @@
 #include "core/files/json/options_json.h"
 #include "core/files/text/number.h"
 #include "experiments/runner/given.h"
-#include "experiments/suite/collection.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/object_reader.h"

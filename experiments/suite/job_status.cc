@@ -20,7 +20,6 @@
 #include "core/record/run_summary.h"
 #include "core/record/suite_runs.h"
 #include "experiments/runner/run_result.h"
-#include "experiments/suite/collection.h"
 
 namespace cvo {
 namespace {

@@ -8,7 +8,6 @@
 #include "core/files/text/closest_names.h"
 #include "core/files/text_file.h"
 #include "experiments/runner/given.h"
-#include "experiments/suite/collection.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
@@ -288,13 +287,6 @@ Suite LoadSuite(const std::string& suite) {
       return ParseSuite(ParseJson(shipped.text, "suite " + suite), "suite " + suite);
     }
     names.push_back(shipped.name);
-  }
-  if (const std::optional<Collection> collection = FindCollection(suite)) {
-    std::string suites;
-    for (const CollectionSection& section : collection->sections) {
-      if (!section.suite.empty()) suites += (suites.empty() ? "" : ", ") + section.suite;
-    }
-    ThrowError("suite " + Quoted(suite), "a collection of suites", "one of these: " + suites);
   }
   std::error_code ignored;
   if (fs::is_regular_file(suite, ignored)) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/files/json/json.h"
@@ -54,7 +55,7 @@ struct SuiteSystem {
   };
   std::string name;
   std::vector<Files> files;
-  bool shipped = false;  // shipped with the program (shipped_trajectories.h); paths are empty
+  bool shipped = false;  // shipped with the program (ShippedTrajectories); paths are empty
 };
 
 // How `experiment table` tabulates the results.
@@ -85,6 +86,13 @@ struct Suite {
 
 // Returns the common split of all sequences, as above, or "mixed".
 std::string SplitOf(const Suite& suite);
+
+// The suite files of experiments/configs, in their order of listing.
+struct ShippedSuite {
+  std::string name;  // as stated in `text`
+  std::string text;  // JSON
+};
+std::vector<ShippedSuite> ShippedSuites();
 
 // Loads a shipped suite by name, or a suite file (experiments/configs/README.md). Parsing is
 // strict: throws Error naming the file and the key of anything unknown, missing, of the wrong type
@@ -180,6 +188,29 @@ std::string DetectorLevel(const SuiteSequence& sequence);
 
 // Returns the classes of detections to use: the sequence's own, or RigidClasses() if it has none.
 std::vector<std::string> ClassesOf(const SuiteSequence& sequence);
+
+// Another system's trajectory on a shipped scene, from a file of reports/reference/trajectories.
+struct ShippedTrajectory {
+  std::string_view system;
+  std::string_view scene;
+  std::string_view text;  // TUM poses after a line with the hash of the scene file
+};
+const std::vector<ShippedTrajectory>& ShippedTrajectories();
+
+// Returns an entry for each of the sequences on which the program ships a trajectory of `system`.
+// Throws Error at `where` if there is none.
+std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
+                                               const std::vector<SuiteSequence>& sequences,
+                                               const std::string& where);
+
+// PlanJob::missing starts with this if a shipped trajectory was made from other images.
+inline constexpr std::string_view kStale = "stale: ";
+
+// Writes the trajectory of a sequence from ShippedFilesOf below the cache folder and returns the
+// file. Throws Error, with kStale, if the scene file has changed since the trajectory was made, or
+// if the sequence uses other frames or perturbed images.
+SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
+                               const std::filesystem::path& cache);
 
 // Returns the files of a job of another system, below `data`. Trajectories shipped with the
 // program are written below the cache folder.

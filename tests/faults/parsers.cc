@@ -24,7 +24,6 @@
 #include "experiments/metrics/trajectory.h"
 #include "experiments/runner/front_end_cache.h"
 #include "experiments/suite/build_plan.h"
-#include "experiments/suite/collection.h"
 #include "experiments/suite/suite.h"
 #include "reports/gate/baseline.h"
 #include "reports/runs/run_detail.h"
@@ -92,9 +91,6 @@ std::vector<Parser> SuiteParsers() {
        {Source("experiments/configs/ci.json"), Source("experiments/configs/sweep_alpha.json"),
         Source("experiments/configs/kitti_raw.json")},
        [](const fs::path& file) { ReadCheckedSuite(ReadJson(file), file, file.parent_path()); }},
-      {"collection",
-       {Source("experiments/configs/paper.json")},
-       [](const fs::path& file) { FindCollection(file); }},
       {"scene",
        {Source("synth/scenes/tiny.json"), Source("synth/scenes/swinging_4.json")},
        [](const fs::path& file) { synth::SceneDescription::Parse(ReadJson(file), file); }},

@@ -24,9 +24,6 @@ constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t kHeaderBytes = 26;
 constexpr std::uint32_t kMaxSide_px = 1 << 15;
 constexpr std::size_t kChunkOverhead = 12;  // length, type, CRC
-constexpr std::size_t kColourType = 25;     // the byte of the header that states it
-constexpr char kGrey = 0;
-constexpr char kPalette = 3;
 
 std::uint32_t Crc32(std::string_view bytes) {
   return libdeflate_crc32(0, bytes.data(), bytes.size());
@@ -87,12 +84,11 @@ struct PngPixels {
   std::string compressed;  // zlib data of the rows, from all IDAT chunks
 };
 
-// Returns the pixels of a PNG file with one byte per pixel, grey values without transparency or
-// indexes into a palette, without interlacing; empty for any other kind.
-std::optional<PngPixels> FindPixels(std::string_view bytes, char colour_type) {
+// Returns the pixels of a PNG file of 8-bit grey without transparency or interlacing; empty for any
+// other kind.
+std::optional<PngPixels> FindPixels(std::string_view bytes) {
   constexpr std::size_t kInterlace = 28;
-  if (bytes.size() <= kInterlace || bytes[24] != 8 || bytes[kColourType] != colour_type ||
-      bytes[kInterlace] != 0) {
+  if (bytes.size() <= kInterlace || bytes[24] != 8 || bytes[25] != 0 || bytes[kInterlace] != 0) {
     return std::nullopt;
   }
   const std::uint32_t width = ReadBigEndian(bytes, 16);
@@ -101,7 +97,7 @@ std::optional<PngPixels> FindPixels(std::string_view bytes, char colour_type) {
   PngPixels pixels{{static_cast<int>(width), static_cast<int>(height)}, {}};
   std::size_t at = kSignature.size();
   while (const auto chunk = ChunkAt(bytes, at)) {
-    if (chunk->type == "tRNS" && colour_type == kGrey) return std::nullopt;
+    if (chunk->type == "tRNS") return std::nullopt;
     if (chunk->type == "IDAT") pixels.compressed += chunk->data;
     at += kChunkOverhead + chunk->data.size();
   }
@@ -173,26 +169,6 @@ std::optional<std::vector<std::uint8_t>> Inflate(const std::string& compressed, 
   return bytes;
 }
 
-// Returns an empty image for any other kind of file.
-cv::Mat DecodePng(std::string_view bytes, char colour_type) {
-  const std::optional<PngPixels> pixels = FindPixels(bytes, colour_type);
-  if (!pixels) return {};
-  const auto width = static_cast<std::size_t>(pixels->size.width);
-  const auto height = static_cast<std::size_t>(pixels->size.height);
-  const auto inflated = Inflate(pixels->compressed, (width + 1) * height);
-  if (!inflated) return {};
-  cv::Mat image(pixels->size, CV_8UC1);
-  const std::vector<std::uint8_t> nothing(width);
-  ConstRow above = nothing;
-  ConstRow rows = *inflated;
-  for (int y = 0; y < image.rows; ++y, rows = rows.subspan(width + 1)) {
-    const Row row(image.ptr<std::uint8_t>(y), width);
-    if (!Unfilter(rows[0], rows.subspan(1, width), above, row)) return {};
-    above = row;
-  }
-  return image;
-}
-
 constexpr std::string_view kStart = "\xff\xd8";
 constexpr std::string_view kEnd = "\xff\xd9";
 
@@ -244,24 +220,24 @@ std::optional<std::string> FindPngDamage(std::string_view bytes) {
   return StrCat("a file cut short after ", bytes.size(), " bytes, without an end");
 }
 
-cv::Mat ReadPaletteIndexes(const std::filesystem::path& path, cv::Size size) {
-  const std::string bytes = ReadFileBytes(path);
-  if (const auto damage = FindPngDamage(bytes)) {
-    ThrowError(path.string(), *damage, "a whole PNG image");
+cv::Mat DecodeGreyPng(std::string_view bytes) {
+  const std::optional<PngPixels> pixels = FindPixels(bytes);
+  if (!pixels) return {};
+  const auto width = static_cast<std::size_t>(pixels->size.width);
+  const auto height = static_cast<std::size_t>(pixels->size.height);
+  const auto inflated = Inflate(pixels->compressed, (width + 1) * height);
+  if (!inflated) return {};
+  cv::Mat image(pixels->size, CV_8UC1);
+  const std::vector<std::uint8_t> nothing(width);
+  ConstRow above = nothing;
+  ConstRow rows = *inflated;
+  for (int y = 0; y < image.rows; ++y, rows = rows.subspan(width + 1)) {
+    const Row row(image.ptr<std::uint8_t>(y), width);
+    if (!Unfilter(rows[0], rows.subspan(1, width), above, row)) return {};
+    above = row;
   }
-  const cv::Mat image = DecodePng(bytes, bytes[kColourType] == kPalette ? kPalette : kGrey);
-  if (image.size() != size) {
-    ThrowError(path.string(),
-               image.empty() ? "a mask of another kind"
-                             : StrCat("a mask of ", image.cols, "x", image.rows, " pixels"),
-               StrCat("one of ", size.width, "x", size.height, " indexes of 8 bits"));
-  }
-  cv::Mat indexes;
-  image.convertTo(indexes, CV_16UC1);
-  return indexes;
+  return image;
 }
-
-cv::Mat DecodeGreyPng(std::string_view bytes) { return DecodePng(bytes, kGrey); }
 
 bool IsJpeg(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();

@@ -15,10 +15,6 @@ namespace cvo {
 // may return half an image.
 [[nodiscard]] std::optional<std::string> FindPngDamage(std::string_view bytes);
 
-// Returns the indices of a PNG file with an 8-bit palette, or the values of a grey one, as
-// CV_16UC1. Throws Error if the file is damaged or of another size or kind.
-cv::Mat ReadPaletteIndexes(const std::filesystem::path& path, cv::Size size);
-
 // Decodes a PNG file of 8-bit grey without interlacing or transparency, as stereo pairs are, to
 // CV_8UC1. Returns an empty image for anything else, including other kinds of PNG file, and if the
 // pixels do not inflate to the image's size. Checksums are verified by FindPngDamage, not here.

@@ -246,7 +246,7 @@ void AddBoxesOfLandmarks(const Observations& observed, const std::string& catego
 }
 
 void AddTruth(const Settings& settings, Sequence& sequence) {
-  const std::vector<fs::path> files = ListNumberedFiles(sequence.folder / "pose", {"", ".txt"});
+  const std::vector<fs::path> files = ListNumberedFiles(sequence.folder / "pose", ".txt");
   if (files.size() != sequence.images.size()) {
     ThrowError((sequence.folder / "pose").string(), StrCat(files.size(), " files"),
                StrCat(sequence.images.size(), ", as many as images"));

@@ -171,7 +171,7 @@ void AddRawTruth(const fs::path& date_folder, const CalibrationFile& cameras, Se
     return;
   }
   std::vector<OxtsPacket> packets;
-  for (const fs::path& path : ListNumberedFiles(oxts_folder / "data", {"", ".txt"})) {
+  for (const fs::path& path : ListNumberedFiles(oxts_folder / "data", ".txt")) {
     packets.push_back(ReadOxtsPacket(path));
     sequence.other_files.push_back(path);
   }

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Settings of a body, found by its name in vicon.csv.
+// MultimotionSettings of a body, found by its name in vicon.csv.
 struct BodySettings {
   std::string name;  // displayed name; empty: that of vicon.csv
   std::array<double, 3> size_m = {0.3, 0.3, 0.3};
@@ -36,7 +36,7 @@ struct BodySettings {
   }
 };
 
-struct Settings {
+struct MultimotionSettings {
   std::string calibration;    // file name; empty: kalibr*.yaml
   std::string left = "cam0";  // key of the left camera in this file
   std::string right = "cam1";
@@ -154,7 +154,7 @@ const Trajectory& Find(const std::map<std::string, Trajectory>& tracks, const st
   ThrowError(path.string(), names, "object " + Quoted(name) + " of the layout settings");
 }
 
-void AddTruth(const Settings& settings, Sequence& sequence) {
+void AddMultimotionTruth(const MultimotionSettings& settings, Sequence& sequence) {
   const fs::path path = sequence.folder / "vicon.csv";
   if (!fs::exists(path)) {
     sequence.missing.push_back(path.string() + ": no ground truth of camera and bodies");
@@ -202,12 +202,12 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
 }
 
 void ReadMultimotion(const SequenceRequest& request, Sequence& sequence) {
-  const auto settings = LayoutSettings<Settings>(request);
+  const auto settings = LayoutSettings<MultimotionSettings>(request);
   AddPair(request, "colour", CheckedImages(ReadImages(request.folder / "stereo", sequence)),
           sequence);
   const fs::path calibration = FindCalibration(request.folder, settings.calibration, "kalibr");
   AddRig(ReadKalibrRig(calibration, settings.left, settings.right), calibration, sequence);
-  AddTruth(settings, sequence);
+  AddMultimotionTruth(settings, sequence);
   AddBoxes(request, sequence);
 }
 
@@ -215,7 +215,7 @@ void ReadMultimotion(const SequenceRequest& request, Sequence& sequence) {
 
 SequenceLayout OxfordMultimotionLayout() {
   return {"oxford-multimotion", KnowsMultimotion, MultimotionHasImages, ReadMultimotion,
-          ToJson(Settings())};
+          ToJson(MultimotionSettings())};
 }
 
 }  // namespace cvo

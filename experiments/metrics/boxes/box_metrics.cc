@@ -32,8 +32,8 @@ Frames ReadTracking(const fs::path& label_file, const fs::path& detection_file, 
 }
 
 Frames ReadObjects(const fs::path& label_folder, const fs::path& detection_folder) {
-  const auto labels = NumberedFiles(label_folder, {"", ".txt"});
-  const auto detections = NumberedFiles(detection_folder, {"", ".txt"});
+  const auto labels = NumberedFiles(label_folder, ".txt");
+  const auto detections = NumberedFiles(detection_folder, ".txt");
   for (const auto& [number, file] : detections) {
     if (!labels.contains(number)) {
       ThrowError(file.string(), StrCat("detections of image ", number),

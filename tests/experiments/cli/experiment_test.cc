@@ -238,6 +238,19 @@ TEST_F(CliExperiment, SweepsWithoutAFile) {
               "--grid x: found no PATH=A,B", 2);
 }
 
+TEST_F(CliExperiment, ATimedSuiteShowsItsTimes) {
+  folder_.Write("suite.json", R"({"name": "timed", "sequences": [{"folder": "wall"}], )"
+                              R"("variants": ["static"], "timed_threads": 1})");
+  const ProcessResult run = Run({"-j", "2"});
+  ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
+  EXPECT_THAT(run.err, HasSubstr("timed: one job at a time, because the suite measures times"));
+  EXPECT_FALSE(fs::exists(Path("cache/frontend")));  // not shared between jobs
+  EXPECT_THAT(Experiment({"table", out().string(), "--times"}).out,
+              AllOf(HasSubstr("clusters per frame"), HasSubstr("features [ms]"),
+                    HasSubstr("wall    none        static   1     0.0"), HasSubstr("machine: ")));
+  test::ExpectError(Experiment({"table", data().string(), "--times"}), "plan.json");
+}
+
 TEST_F(CliExperiment, ADryRunListsJobsAndMissingSequences) {
   WriteSuite("{\"folder\": \"wall\"}, {\"folder\": \"door\"}", "1");
   const ProcessResult plan = Run({"--seeds", "2", "--dry-run"});

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "experiments/metrics/trajectory.h"
-#include "experiments/suite/collection.h"
 #include "experiments/suite/job_status.h"
 #include "experiments/suite/suite.h"
 #include "synth/family/family.h"

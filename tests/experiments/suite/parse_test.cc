@@ -6,7 +6,6 @@
 #include <numeric>
 #include <set>
 
-#include "experiments/suite/collection.h"
 #include "experiments/suite/suite.h"
 #include "tests/experiments/suite/examples.h"
 #include "tests/support/error_message.h"

@@ -129,25 +129,6 @@ void OwnScene::Read() {
   }
 }
 
-void OwnScene::CompressImages() {
-  for (const StereoPaths& pair : Open().images) {
-    for (const fs::path& path : {pair.left, pair.right}) {
-      const cv::Mat image = ReadImageFile(path, cv::IMREAD_UNCHANGED);
-      WriteImage(path, DecodeImage(EncodeImage(".jpg", image), cv::IMREAD_UNCHANGED));
-    }
-  }
-  // written_.images stay uncompressed: the writer of the other layout compresses them in the same
-  // way.
-}
-
-std::string NumbersText(const std::vector<double>& numbers, const char* separator) {
-  std::string text;
-  for (const double number : numbers) {
-    text += (text.empty() ? "" : separator) + FormatDouble(number);
-  }
-  return text;
-}
-
 std::string MatrixText(const RigidTransform& pose, const char* separator) {
   const Eigen::Matrix4d matrix = pose.Matrix();
   std::vector<double> numbers;

@@ -44,9 +44,6 @@ class OwnScene {
   // Opens the scene with the boxes of its detector.
   Sequence Open() const;
   std::filesystem::path detections() const { return folder_ / "detections/good.txt"; }
-  // Replaces the images of the folder by their decoded JPEG versions, as in a data set with JPEG
-  // images. written() is not changed.
-  void CompressImages();
 
  private:
   void Read();
