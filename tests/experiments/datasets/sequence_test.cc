@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Well-formed folders of each KITTI layout.
-#include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
 
 #include <gmock/gmock.h>
@@ -10,6 +9,7 @@
 
 #include <functional>
 
+#include "experiments/datasets/plausibility.h"
 #include "tests/experiments/datasets/folders.h"
 #include "tests/support/error_message.h"
 
