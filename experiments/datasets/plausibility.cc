@@ -132,18 +132,19 @@ void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<
         box.box3d->bottom_in_camera +
         Eigen::Vector3d(sequence.left_offset_m, -0.5 * box.box3d->height_m, 0.0);
     if (!box.IsInImage() || box.truncation > 0.0 || box.occlusion > 0) continue;
+    // The box in the image may show only a part of the body.
+    const double margin_px = std::max(box.right_px - box.left_px, box.bottom_px - box.top_px);
     const double u_px = camera.fx * centre.x() / centre.z() + camera.cx;
     const double v_px = camera.fy * centre.y() / centre.z() + camera.cy;
+    const bool within = u_px > box.left_px - margin_px && u_px < box.right_px + margin_px &&
+                        v_px > box.top_px - margin_px && v_px < box.bottom_px + margin_px;
     ++solid;
-    aside += centre.z() > 0.0 && u_px > box.left_px && u_px < box.right_px && v_px > box.top_px &&
-                     v_px < box.bottom_px
-                 ? 0
-                 : 1;
+    aside += centre.z() > 0.0 && within ? 0 : 1;
   }
   Tell(odd, lines);
   if (static_cast<double>(aside) <= kMost * static_cast<double>(solid)) return;
   lines.push_back(StrCat(what, ": of ", solid, " boxes in 3D, ", aside,
-                         " have their centre outside their box in the image"));
+                         " have their centre beside their box in the image"));
 }
 
 void FindGaps(const Sequence& sequence, const std::vector<double>& steps_s,

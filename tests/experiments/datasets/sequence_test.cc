@@ -314,9 +314,9 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
         Case{spoil_label([](ObjectBox& box) { box.truncation = 50.0; }), "truncation 50"},
         Case{spoil_label([](ObjectBox& box) { box.box3d->heading_rad = 90.0; }), "heading 90"},
         Case{[](Sequence& s) {
-               for (ObjectBox& box : s.labels) box.box3d->bottom_in_camera.x() *= -1.0;
+               for (ObjectBox& box : s.labels) box.box3d->bottom_in_camera.x() += 4.0;
              },
-             "labels: of 20 boxes in 3D, 20 have their centre outside"}}) {
+             "labels: of 20 boxes in 3D, 20 have their centre beside"}}) {
     Sequence sequence = good;
     c.spoil(sequence);
     const std::string refused = ErrorMessage([&] { RefuseImpossible(sequence); });
