@@ -3,19 +3,15 @@
 #include "core/files/atomic_file.h"
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -29,77 +25,12 @@
 namespace cvo {
 
 namespace fs = std::filesystem;
-namespace {
-
-enum class FaultKind { kNone, kFail, kShort, kKill };
-
-struct FaultPoint {
-  FaultKind kind = FaultKind::kNone;
-  std::string call;
-  std::uint64_t number = 0;
-  std::uint64_t* calls = nullptr;  // counter of the calls of all processes so far
-};
-
-FaultPoint FaultFromEnvironment() {
-  const char* variable = std::getenv("CLUSTERVO_FAULT");
-  if (variable == nullptr) return {};
-  const std::string text = variable;
-  const std::size_t call = text.find(',') + 1;
-  const std::size_t number = text.find(',', call) + 1;
-  const std::size_t file = text.find(',', number) + 1;
-  Require(call > 0 && number > call && file > number,
-          "CLUSTERVO_FAULT: expected <fault>,<call>,<n>,<file>");
-  const int fd = ::open(text.c_str() + file, O_RDWR | O_CLOEXEC);
-  void* const calls =
-      ::mmap(nullptr, sizeof(std::uint64_t), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
-  ::close(fd);
-  Require(calls != MAP_FAILED, "CLUSTERVO_FAULT: the file cannot be mapped");
-  const std::string kind = text.substr(0, call - 1);
-  return {kind == "kill"    ? FaultKind::kKill
-          : kind == "short" ? FaultKind::kShort
-                            : FaultKind::kFail,
-          text.substr(call, number - 1 - call), std::strtoull(text.c_str() + number, nullptr, 10),
-          static_cast<std::uint64_t*>(calls)};
-}
-
-// Returns the fault for the call that is about to be made.
-FaultKind NextFault(std::string_view call) {
-  static const FaultPoint point = FaultFromEnvironment();
-  if (point.kind == FaultKind::kNone || point.call != call) return FaultKind::kNone;
-  if (std::atomic_ref(*point.calls).fetch_add(1) + 1 != point.number) return FaultKind::kNone;
-  if (point.kind == FaultKind::kKill) ::raise(SIGKILL);
-  return point.kind;
-}
-
-// Whether the call is to fail. If so, sets errno to `error`.
-bool Fails(std::string_view call, int error) {
-  if (NextFault(call) != FaultKind::kFail) return false;
-  errno = error;
-  return true;
-}
-
-// Transfers once: all bytes or, for a short transfer, half of them. To fail, sets errno to `error`.
-template <typename Transfer>
-ssize_t TransferOnce(std::string_view call, const Transfer& transfer, std::size_t count,
-                     int error) {
-  const FaultKind fault = NextFault(call);
-  if (fault == FaultKind::kFail) {
-    errno = error;
-    return -1;
-  }
-  return transfer(fault == FaultKind::kShort ? (count + 1) / 2 : count);
-}
-
-}  // namespace
-
 void ThrowErrno(const fs::path& file, const char* action, int error) {
   throw Error(StrCat(file.string(), ": cannot ", action, ": ", std::strerror(error)));
 }
 
 FileDescriptor::FileDescriptor(const fs::path& path, int flags)
-    : fd_(Fails("open", (flags & O_CREAT) != 0 ? ENOSPC : EIO)
-              ? -1
-              : ::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+    : fd_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
 
 FileDescriptor::~FileDescriptor() { Close(); }
 
@@ -119,12 +50,8 @@ int FileDescriptor::Close() {
 void WriteAll(const FileDescriptor& to, std::string_view bytes, std::uint64_t offset,
               const fs::path& file) {
   while (!bytes.empty()) {
-    const ssize_t written = TransferOnce(
-        "write",
-        [&](std::size_t count) {
-          return ::pwrite(to.get(), bytes.data(), count, static_cast<off_t>(offset));
-        },
-        bytes.size(), ENOSPC);
+    const ssize_t written =
+        ::pwrite(to.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) ThrowErrno(file, "write", errno);
     bytes.remove_prefix(static_cast<std::size_t>(written));
@@ -136,26 +63,14 @@ std::ptrdiff_t ReadUpTo(const FileDescriptor& from, char* bytes, std::size_t cou
                         std::uint64_t offset) {
   std::size_t done = 0;
   while (done < count) {
-    const ssize_t read = TransferOnce(
-        "read",
-        [&](std::size_t part) {
-          return ::pread(from.get(), bytes + done, part, static_cast<off_t>(offset + done));
-        },
-        count - done, EIO);
+    const ssize_t read =
+        ::pread(from.get(), bytes + done, count - done, static_cast<off_t>(offset + done));
     if (read < 0 && errno == EINTR) continue;
     if (read < 0) return -1;
     if (read == 0) break;
     done += static_cast<std::size_t>(read);
   }
   return static_cast<std::ptrdiff_t>(done);
-}
-
-int SyncFile(const FileDescriptor& file) {
-  return Fails("sync", ENOSPC) ? -1 : ::fsync(file.get());
-}
-
-int RenameFile(const fs::path& from, const fs::path& to) {
-  return Fails("rename", ENOSPC) ? -1 : ::rename(from.c_str(), to.c_str());
 }
 
 namespace {
@@ -196,7 +111,7 @@ void SyncFolder(const fs::path& folder) {
   const FileDescriptor opened(folder, O_RDONLY | O_DIRECTORY);
   if (opened.get() < 0) ThrowErrno(folder, "open", errno);
   // Some network file systems cannot sync a folder; their rename is durable by itself.
-  if (SyncFile(opened) != 0 && errno != EINVAL) ThrowErrno(folder, "write", errno);
+  if (::fsync(opened.get()) != 0 && errno != EINVAL) ThrowErrno(folder, "write", errno);
 }
 
 // Removes a file, and its subfolder of `folder` if that is then empty.
@@ -274,11 +189,11 @@ void StagedFile::WritePending() {
 void StagedFile::Complete() {
   WritePending();
   pending_.shrink_to_fit();
-  if (SyncFile(file_) != 0 || file_.Close() != 0) ThrowErrno(target_, "write", errno);
+  if (::fsync(file_.get()) != 0 || file_.Close() != 0) ThrowErrno(target_, "write", errno);
 }
 
 void StagedFile::Publish() {
-  if (RenameFile(temporary_, target_) != 0) ThrowErrno(target_, "write", errno);
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) ThrowErrno(target_, "write", errno);
   temporary_.clear();
 }
 

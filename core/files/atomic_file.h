@@ -14,11 +14,7 @@
 
 #include "core/files/text_file.h"
 
-// The system calls that results and caches depend on, in one place so that a test can make each of
-// them fail. With CLUSTERVO_FAULT=<fault>,<call>,<n>,<file> in the environment, the n-th call (from
-// 1) of a kind ("open", "read", "write", "sync", "rename") has a fault. Calls are counted
-// over all processes that share <file>, a counter of 8 bytes. A fault is "fail" (no space; an I/O
-// error for a read), "short" (half of the bytes are written or read) or "kill" (of the process).
+// Files that are complete or absent, whatever call fails and whenever the process is killed.
 namespace cvo {
 
 // Throws Error "<file>: cannot <action>: <the system's reason>".
@@ -49,9 +45,6 @@ void WriteAll(const FileDescriptor& to, std::string_view bytes, std::uint64_t of
 // number, or a negative value with errno set if it cannot be read.
 std::ptrdiff_t ReadUpTo(const FileDescriptor& from, char* bytes, std::size_t count,
                         std::uint64_t offset);
-// Each returns zero, or a negative value with errno set.
-int SyncFile(const FileDescriptor& file);
-int RenameFile(const std::filesystem::path& from, const std::filesystem::path& to);
 
 // Returns a temporary name for a file or folder that must be either complete under its own name or
 // absent. Until it is complete, it has this name beside its target:

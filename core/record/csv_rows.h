@@ -59,11 +59,12 @@ struct ObjectRow {
   std::int64_t timestamp_ns = 0;
   std::int64_t id = 0;
   std::string category;
-  std::string status;  // "tracked"; "predicted" by the motion model alone: hidden or lost
   // As estimated when the frame was processed, and as last estimated; empty if the run has no such
-  // estimate.
+  // estimate. A status is "tracked", or "predicted" by the motion model alone: hidden or lost.
+  std::string causal_status;
   std::optional<RigidTransform> causal_world_from_object;
   std::optional<Eigen::Vector3d> causal_velocity_m_s;
+  std::string refined_status;
   std::optional<RigidTransform> refined_world_from_object;
   std::optional<Eigen::Vector3d> refined_velocity_m_s;
   // The inner extent, which the estimator uses.
@@ -78,8 +79,10 @@ struct ObjectRow {
   std::optional<int> detection;  // index among the frame's detections
   double score = 0.0;
 
-  bool predicted() const { return status == "predicted"; }
   // As last estimated.
+  bool predicted() const {
+    return (refined_world_from_object ? refined_status : causal_status) == "predicted";
+  }
   RigidTransform WorldFromObject() const {
     return refined_world_from_object ? *refined_world_from_object
                                      : causal_world_from_object.value_or(RigidTransform());
@@ -91,9 +94,10 @@ struct ObjectRow {
     archive.Cells("timestamp_ns", self.timestamp_ns);
     archive.Cells("id", self.id);
     archive.Cells("category", self.category);
-    archive.Cells("status", self.status);
+    archive.Cells("status", self.causal_status);
     archive.Cells("x,y,z,qx,qy,qz,qw", self.causal_world_from_object);
     archive.Cells("vx,vy,vz", self.causal_velocity_m_s);
+    archive.Cells("refined_status", self.refined_status);
     archive.Cells("refined_x,refined_y,refined_z,refined_qx,refined_qy,refined_qz,refined_qw",
                   self.refined_world_from_object);
     archive.Cells("refined_vx,refined_vy,refined_vz", self.refined_velocity_m_s);

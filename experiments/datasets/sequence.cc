@@ -16,6 +16,7 @@
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/calibration/stereo_rig.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence_parts.h"
 
 namespace cvo {

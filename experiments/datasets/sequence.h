@@ -233,13 +233,4 @@ bool IsTrackingSet(const std::filesystem::path& folder);
 // Removes ".", ".." and a trailing slash, so that the folder has a name and a parent.
 std::filesystem::path NormalFolder(const std::filesystem::path& folder);
 
-// What a stereo sequence can look like (plausibility.cc). RefuseImpossible throws Error for times
-// of more than 1000 frames per second and for boxes in parts of the image. FindImplausible
-// describes what is well-formed but unlikely, one line per finding, with the number that makes it
-// so: a baseline not in metres, a slow rate, a gap between frames, a camera that jumps, boxes
-// beyond the image, images that repeat the ones before (`repeated` frames); and the notes on
-// reading. Empty if nothing is.
-void RefuseImpossible(const Sequence& sequence);
-std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0);
-
 }  // namespace cvo

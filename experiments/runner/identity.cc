@@ -82,31 +82,22 @@ std::string ContentHash(const Sequence& sequence, const std::vector<ImageHashes>
   for (const std::filesystem::path& file : sequence.other_files) {
     other_files.push_back(Sha256Hex(ReadFileBytes(file)));
   }
-  const Json json = {{"name", sequence.name},
-                     {"type", sequence.type},
-                     {"pair", sequence.pair},
-                     {"groundtruth", sequence.groundtruth},
-                     {"first_frame", sequence.first_frame},
-                     {"total_frames", sequence.total_frames},
-                     {"camera", CameraNumbers(sequence.camera)},
-                     {"timestamps_ns", sequence.timestamps_ns},
-                     {"other_files", other_files}};
-  Json behind = Json::object();
-  if (!sequence.layout.empty()) behind["layout"] = sequence.layout;
+  Json rows = Json::array();
+  for (const ImageHashes& image : images) rows.push_back(Json::array({image.left, image.right}));
+  Json json = {{"name", sequence.name},
+               {"type", sequence.type},
+               {"pair", sequence.pair},
+               {"groundtruth", sequence.groundtruth},
+               {"first_frame", sequence.first_frame},
+               {"total_frames", sequence.total_frames},
+               {"camera", CameraNumbers(sequence.camera)},
+               {"timestamps_ns", sequence.timestamps_ns},
+               {"other_files", other_files},
+               {"images", rows}};
+  if (!sequence.layout.empty()) json["layout"] = sequence.layout;
   const Json perturbation = PerturbationToJson(sequence.perturbation);
-  if (!perturbation.empty()) behind["perturbation"] = perturbation;
-
-  Sha256 hash;
-  std::size_t frame = 0;
-  const auto next = [&](Json& row) {
-    if (frame == images.size()) return false;
-    row = Json::array({images[frame].left, images[frame].right});
-    ++frame;
-    return true;
-  };
-  DumpJsonWithRows(
-      json, "images", next, [&hash](std::string_view part) { hash.Add(part); }, behind);
-  return hash.Hex();
+  if (!perturbation.empty()) json["perturbation"] = perturbation;
+  return Sha256Hex(DumpJson(json));
 }
 
 std::string ImagesHash(const std::vector<ImageHashes>& images) {

@@ -198,7 +198,7 @@ Json ResultJson(reports::RunSummary summary, const Json& details) {
   return json;
 }
 
-void WriteResultFile(const RunResult& run, const TextSink& sink) {
+std::string ResultFile(const RunResult& run) {
   reports::RunSummary summary;
   summary.job = run.job;
   summary.status = ToString(run.status);
@@ -218,22 +218,17 @@ void WriteResultFile(const RunResult& run, const TextSink& sink) {
     summary.bodies =
         reports::RunBodies{{refined.begin(), refined.end()}, {causal.begin(), causal.end()}};
   }
-  const Json json =
+  Json frames = Json::array();
+  for (const FrameRecord& frame : run.frames) frames.push_back(FrameToJson(frame));
+  return DumpJson(
       ResultJson(summary, {{"clusters", ClustersToJson(run)},
                            {"calibration", LastCalibrationToJson(run)},
                            {"frame_counts", CountsToJson(run)},
                            {"solver_endings", SolverEndingsToJson(run)},
                            {"undecodable", UndecodableToJson(run)},
                            {"trajectories", TrajectoriesToJson(run)},
-                           {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}}});
-  auto frame = run.frames.begin();
-  const auto next = [&](Json& row) {
-    if (frame == run.frames.end()) return false;
-    row = FrameToJson(*frame);
-    ++frame;
-    return true;
-  };
-  DumpJsonWithRows(json, "frames", next, sink);
+                           {"pose_layout", {"tx_m", "ty_m", "tz_m", "qx", "qy", "qz", "qw"}},
+                           {"frames", frames}}));
 }
 
 namespace {

@@ -91,7 +91,7 @@ reports::TimingData ThisProcess() {
   return timing;
 }
 
-void WriteTimingFile(const RunResult& run, const TextSink& sink) {
+std::string TimingFile(const RunResult& run) {
   reports::TimingData timing = run.timing;
   timing.wall_s = run.wall_s;
   const double count = static_cast<double>(run.frames.size());
@@ -99,21 +99,14 @@ void WriteTimingFile(const RunResult& run, const TextSink& sink) {
   for (const auto& [stage, times_s] : run.times_s) {
     timing.stages[stage] = Summary(Samples_ms(times_s));
   }
-  Json head = FileJson(timing);
-  head.erase("frames");
-  auto frame = run.frames.begin();
-  std::size_t i = 0;
-  const auto next = [&](Json& row) {
-    if (frame == run.frames.end()) return false;
-    row = {{"frame", frame->frame}};
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    Json row = {{"frame", run.frames[i].frame}};
     for (const auto& [stage, times_s] : run.times_s) {
       if (!std::isnan(times_s[i])) row[stage + "_ms"] = Milliseconds(times_s[i]);
     }
-    ++frame;
-    ++i;
-    return true;
-  };
-  DumpJsonWithRows(head, "frames", next, sink);
+    timing.frames.push_back(std::move(row));
+  }
+  return FileText(timing);
 }
 
 namespace {
@@ -182,8 +175,8 @@ void WriteRunFiles(const fs::path& folder, const RunResult& run, const ObjectTru
   files.Add("tracks.kitti", [&](const TextSink& sink) { WriteKittiTracks(run, sink); });
   files.Add(kTruth, TruthFile(run, objects));
   // The result comes last: if it is complete, so is everything else.
-  files.Add("timing.json", [&](const TextSink& sink) { WriteTimingFile(run, sink); });
-  files.Add("result.json", [&](const TextSink& sink) { WriteResultFile(run, sink); });
+  files.Add("timing.json", TimingFile(run));
+  files.Add("result.json", ResultFile(run));
   std::vector<std::string> stale = StaleFiles(folder, files);
   if (!has_landmarks && fs::exists(folder / kLandmarks)) stale.emplace_back(kLandmarks);
   files.Publish(stale);

@@ -25,8 +25,9 @@ namespace cvo {
 // timing.json.
 reports::TimingData ThisProcess();
 
-// Writes timing.json: run.timing with wall time per frame by stage in ms, and frames per second.
-void WriteTimingFile(const RunResult& run, const TextSink& sink);
+// Content of timing.json: run.timing with wall time per frame by stage in ms, and frames per
+// second.
+std::string TimingFile(const RunResult& run);
 
 // Returns the names of what a run may write to its folder: result.json, timing.json, truth.json,
 // camera.tum, camera.kitti, objects.csv, tracks.kitti, clusters/ with <id>.tum and, on request,
@@ -62,9 +63,9 @@ Json ResultJson(reports::RunSummary summary, const Json& details);
 // Calibration of the last frame that has an estimate of it. Empty if there is none.
 std::optional<CalibrationReport> LastCalibration(const RunResult& run);
 
-// Writes result.json. The same job gives the same bytes, whatever the time, host, paths and number
-// of threads. Throws Error naming a field that is not finite.
-void WriteResultFile(const RunResult& run, const TextSink& sink);
+// Content of result.json. The same job gives the same bytes, whatever the time, host, paths and
+// number of threads. Throws Error naming a field that is not finite.
+std::string ResultFile(const RunResult& run);
 
 // Writes objects.csv: a header, then a row for each live cluster in each frame.
 void WriteObjectTable(const RunResult& run, const TextSink& sink);

@@ -18,6 +18,7 @@
 #include "core/files/json/options_json.h"
 #include "core/interface/frame.h"
 #include "experiments/datasets/body_truth.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/frame_source.h"
 #include "experiments/runner/identity.h"
@@ -231,7 +232,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   result.images_hash = ImagesHash(hashes);
   std::size_t repeated = 0;
   for (std::size_t i = 1; i < hashes.size(); ++i) {
-    if (hashes[i].left == hashes[i - 1].left && hashes[i].right == hashes[i - 1].right) ++repeated;
+    if (hashes[i].left == hashes[i - 1].left || hashes[i].right == hashes[i - 1].right) ++repeated;
   }
   const bool as_recorded = PerturbationToJson(sequence.perturbation).empty();
   result.warnings = FindImplausible(sequence, as_recorded ? repeated : 0);

@@ -53,12 +53,13 @@ void WriteObjectTable(const RunResult& run, const TextSink& sink) {
     row.timestamp_ns = cluster.frame.timestamp_ns;
     row.id = cluster.id.value;
     row.category = report.category;
-    row.status = ToString(report.status);
     if (cluster.causal) {
+      row.causal_status = ToString(cluster.causal->status);
       row.causal_world_from_object = cluster.causal->world_from_object;
       row.causal_velocity_m_s = cluster.causal->velocity_m_s;
     }
     if (cluster.refined) {
+      row.refined_status = ToString(cluster.refined->status);
       row.refined_world_from_object = cluster.refined->world_from_object;
       row.refined_velocity_m_s = cluster.refined->velocity_m_s;
     }

@@ -16,6 +16,7 @@
 #include "core/interface/frame.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/formats/object_boxes.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/metrics/pose_errors.h"
 #include "experiments/metrics/trajectory.h"

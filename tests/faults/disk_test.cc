@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Faults of the system calls in core/files/atomic_file.h, while a suite runs: a call fails,
-// transfers half of its bytes, or the process is killed. The same command must then give the same
-// bytes.
+// Faults of system calls while a suite runs (disk_calls.cc): a call fails, transfers half of its
+// bytes, or the process is killed. The same command must then give the same bytes.
+#include <cstdlib>
 #include <map>
 
 #include "tests/faults/fault_folder.h"
@@ -28,10 +28,14 @@ class DiskFaults : public test::FaultFolder, public testing::WithParamInterface<
   }
   ProcessResult RunSuite(const Fault& fault) const {
     WriteFileBytes(At("counter"), std::string(sizeof(std::uint64_t), '\0'));
-    return test::RunProgram(Suite("run", {"-j", "1"}),
-                            {.environment = {StrCat("CLUSTERVO_CACHE=", At("cache")),
-                                             StrCat("CLUSTERVO_FAULT=", fault.kind, ",", fault.call,
-                                                    ",", fault.number, ",", At("counter"))}});
+    const char* sanitizer = std::getenv("ASAN_OPTIONS");
+    return test::RunProgram(
+        Suite("run", {"-j", "1"}),
+        {.environment = {
+             StrCat("CLUSTERVO_CACHE=", At("cache")), StrCat("LD_PRELOAD=", CVO_DISK_CALLS),
+             StrCat("ASAN_OPTIONS=", sanitizer ? sanitizer : "", ":verify_asan_link_order=0"),
+             StrCat("DISK_FAULT=", fault.kind, ",", fault.call, ",", fault.number, ",",
+                    At("counter"))}});
   }
   std::uint64_t Calls() const {
     std::uint64_t calls = 0;

@@ -112,7 +112,7 @@ std::vector<Parser> ResultParsers() {
       {"baseline", {Golden("baseline")}, [](const fs::path& file) { ReadBaseline(file); }},
       {"clusters.csv",
        {StrCat(CsvHeader<ObjectRow>(),
-               "\n3,0,1,Car,tracked,1,2,3,0,0,0,1,0,0,0,,,,,,,,,,,0,0,0,1,2,3,0,0,0,0,0,0,1,"
+               "\n3,0,1,Car,tracked,1,2,3,0,0,0,1,0,0,0,,,,,,,,,,,,0,0,0,1,2,3,0,0,0,0,0,0,1,"
                "1,2,3,1,2,3,4,17,0,0.5\n")},
        [](const fs::path& file) { ReadObjects(file); }},
       {"landmarks.csv",

@@ -8,7 +8,7 @@
 
 namespace cvo::test {
 
-// Returns the text that a writer passes to its sink, e.g. Collected(WriteResultFile, record).
+// Returns the text that a writer passes to its sink, e.g. Collected(WriteObjectTable, run).
 template <typename Write, typename... Arguments>
 std::string Collected(const Write& write, const Arguments&... arguments) {
   std::string text;

@@ -190,23 +190,4 @@ std::string DumpJson(const Json& value) {
   return writer.Take() + "\n";
 }
 
-void DumpJsonWithRows(const Json& object, const std::string& key,
-                      const std::function<bool(Json& row)>& next, const TextSink& sink,
-                      const Json& behind) {
-  constexpr std::string_view kEnd = "\n}\n";
-  std::string text = DumpJson(object);
-  Require(text.ends_with(kEnd), "DumpJsonWithRows: an object with members");
-  text.resize(text.size() - kEnd.size());
-  sink(StrCat(text, ",\n  ", DumpScalar(key), ": ["));
-  Json row;
-  std::size_t count = 0;
-  for (; next(row); ++count) {
-    Writer writer;
-    writer.Write(row, StrCat(key, "[", count, "]"), 4, true);
-    sink(StrCat(count > 0 ? "," : "", "\n    ", writer.Take()));
-  }
-  sink(count > 0 ? "\n  ]" : "]");
-  sink(behind.empty() ? std::string(kEnd) : StrCat(",", DumpJson(behind).substr(1)));
-}
-
 }  // namespace cvo

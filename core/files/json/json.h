@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -33,12 +32,5 @@ std::map<std::string, std::string> FlatJson(const Json& value);
 // table row (an object in an array, an array of numbers) on one line. Throws Error naming a field
 // that is not finite.
 std::string DumpJson(const Json& value);
-
-// Writes `object`, which must not be empty, to `sink` in the format of DumpJson, with one
-// additional member `key` after its own members and before those of `behind`. This member is an
-// array: `next` sets each row in turn until it returns false. Only one row at a time is in memory.
-void DumpJsonWithRows(const Json& object, const std::string& key,
-                      const std::function<bool(Json& row)>& next, const TextSink& sink,
-                      const Json& behind = Json::object());
 
 }  // namespace cvo

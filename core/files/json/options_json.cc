@@ -155,11 +155,6 @@ Json OptionsToJson(const std::vector<OptionLeaf>& leaves) {
   return options;
 }
 
-const char* TypeName(const OptionLeaf& leaf) {
-  if (std::holds_alternative<bool*>(leaf.value)) return "bool";
-  return std::holds_alternative<int*>(leaf.value) ? "int" : "double";
-}
-
 Json ValueToJson(const OptionLeaf& leaf) {
   return std::visit([](const auto* value) { return Json(*value); }, leaf.value);
 }

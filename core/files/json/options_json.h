@@ -43,8 +43,6 @@ void SetOption(std::string_view assignment, const std::vector<OptionLeaf>& leave
 // Returns the current values as nested objects.
 Json OptionsToJson(const std::vector<OptionLeaf>& leaves);
 
-// "bool", "int" or "double".
-const char* TypeName(const OptionLeaf& leaf);
 Json ValueToJson(const OptionLeaf& leaf);
 
 // Returns `options` (the defaults) overridden by the file, unless its name is empty, and then by

@@ -12,10 +12,8 @@ namespace cvo {
 namespace {
 
 // Returns the number of insertions, deletions, substitutions and swaps of neighbours between two
-// words (Damerau-Levenshtein), or any number above `most` if there are more than `most`.
-std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t most) {
-  const std::size_t lengths_differ = std::max(a.size(), b.size()) - std::min(a.size(), b.size());
-  if (lengths_differ > most) return lengths_differ;
+// words (Damerau-Levenshtein).
+std::size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::vector<std::size_t> above(row.size());
   std::vector<std::size_t> before(row.size());
@@ -30,10 +28,6 @@ std::size_t EditDistance(std::string_view a, std::string_view b, std::size_t mos
       const bool swapped = i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j];
       if (swapped) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
     }
-    // All later numbers derive from one of these two rows.
-    const std::size_t least = std::min(*std::min_element(row.begin(), row.end()),
-                                       *std::min_element(above.begin(), above.end()));
-    if (least > most) return least;
   }
   return row.back();
 }
@@ -42,27 +36,18 @@ std::string_view LastPart(std::string_view path) {
   return path.substr(path.rfind('.') + 1);  // npos + 1 = 0
 }
 
-// Returns the text with each number replaced by 0 or, if `numbers`, by itself without leading
-// zeros.
-std::string Reduced(std::string_view text, bool numbers) {
-  constexpr std::string_view kDigits = "0123456789";
-  std::string reduced;
-  while (!text.empty()) {
-    const std::size_t digits = std::min(text.find_first_not_of(kDigits), text.size());
-    if (digits > 0) {
-      const std::size_t zeros = std::min(text.find_first_not_of('0'), digits - 1);
-      reduced += numbers ? text.substr(zeros, digits - zeros) : "0";
-    } else {
-      reduced += text.front();
-    }
-    text.remove_prefix(std::max<std::size_t>(digits, 1));
-  }
-  return reduced;
+// Returns the text without its digits, or its digits without zeros.
+std::string Without(bool digits, std::string_view text) {
+  std::string rest(text);
+  std::erase_if(rest, [&](char c) { return digits ? c >= '0' && c <= '9' : c < '1' || c > '9'; });
+  return rest;
 }
 
 // A known name that differs only in its numbers is not what was meant.
 bool DiffersInNumbersAlone(std::string_view a, std::string_view b) {
-  return Reduced(a, false) == Reduced(b, false) && Reduced(a, true) != Reduced(b, true);
+  const std::string in_a = Without(false, a);
+  const std::string in_b = Without(false, b);
+  return Without(true, a) == Without(true, b) && !in_a.empty() && !in_b.empty() && in_a != in_b;
 }
 
 }  // namespace
@@ -74,8 +59,8 @@ std::vector<std::string> ClosestNames(std::string_view name,
   std::vector<std::pair<std::size_t, std::string>> near;
   const std::size_t most = 1 + name.size() / 4;
   for (const std::string& candidate : known) {
-    const std::size_t whole = EditDistance(name, candidate, most);
-    const std::size_t last = EditDistance(LastPart(name), LastPart(candidate), most);
+    const std::size_t whole = EditDistance(name, candidate);
+    const std::size_t last = EditDistance(LastPart(name), LastPart(candidate));
     const std::size_t distance = std::min(whole, last + 1);
     if (distance > most || DiffersInNumbersAlone(name, candidate)) continue;
     near.emplace_back(distance, candidate);

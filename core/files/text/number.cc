@@ -32,40 +32,6 @@ std::optional<T> ParseWhole(std::string_view text) {
   return value;
 }
 
-// |value| = digits * 10^exponent.
-struct Decimal {
-  bool negative = false;
-  std::string digits;
-  int exponent = 0;
-};
-
-std::optional<Decimal> ParseDecimal(std::string_view text) {
-  Decimal decimal;
-  if (!text.empty() && (text[0] == '-' || text[0] == '+')) {
-    decimal.negative = text[0] == '-';
-    text.remove_prefix(1);
-  }
-  const std::size_t mantissa_end = std::min(text.find_first_of("eE"), text.size());
-  if (mantissa_end < text.size()) {
-    const auto exponent = ParseWhole<int>(text.substr(mantissa_end + 1));
-    if (!exponent || std::abs(*exponent) > 400) return std::nullopt;
-    decimal.exponent = *exponent;
-  }
-  bool after_point = false;
-  for (const char c : text.substr(0, mantissa_end)) {
-    if (c == '.' && !after_point) {
-      after_point = true;
-    } else if (IsDigit(c)) {
-      decimal.digits += c;
-      if (after_point) --decimal.exponent;
-    } else {
-      return std::nullopt;
-    }
-  }
-  if (decimal.digits.empty()) return std::nullopt;
-  return decimal;
-}
-
 std::string Formatted(double value, std::chars_format format, int precision) {
   std::array<char, 512> buffer;
   const auto result =
@@ -87,26 +53,29 @@ std::optional<std::int64_t> ParseInteger(std::string_view text) {
 std::optional<int> ParseInt(std::string_view text) { return ParseWhole<int>(text); }
 
 std::optional<std::int64_t> ParseTimeNs(std::string_view text, std::int64_t unit_ns) {
-  const std::optional<Decimal> decimal = ParseDecimal(text);
-  if (!decimal) return std::nullopt;
-  const std::string& digits = decimal->digits;
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  const std::size_t end = std::min(text.find_first_of("eE"), text.size());
+  const auto exponent = end == text.size() ? 0 : ParseInt(text.substr(end + 1));
+  constexpr int kMostExponent = 400;
+  if (!exponent || std::abs(*exponent) > kMostExponent) return std::nullopt;
+  std::string digits(text.substr(0, end));
+  const std::size_t point = std::min(digits.find('.'), digits.size());
+  digits.erase(point, 1);
+  if (digits.empty() || !std::all_of(digits.begin(), digits.end(), IsDigit)) return std::nullopt;
   // Number of digits before the decimal point in units of 1 ns.
-  std::ptrdiff_t whole = std::ssize(digits) + decimal->exponent;
+  std::ptrdiff_t whole = static_cast<std::ptrdiff_t>(point) + *exponent;
   for (; unit_ns > 1; unit_ns /= 10) ++whole;
+  const auto digit = [&](std::ptrdiff_t i) {
+    return i >= 0 && i < std::ssize(digits) ? digits[static_cast<std::size_t>(i)] - '0' : 0;
+  };
   std::int64_t magnitude = 0;
   for (std::ptrdiff_t i = 0; i < whole; ++i) {
-    const int digit = i < std::ssize(digits) ? digits[static_cast<std::size_t>(i)] - '0' : 0;
-    if (magnitude > (kMaxNs - digit) / 10) return std::nullopt;
-    magnitude = magnitude * 10 + digit;
+    if (magnitude > (kMaxNs - digit(i)) / 10) return std::nullopt;
+    magnitude = magnitude * 10 + digit(i);
   }
-  const bool rounds_up =
-      whole >= 0 && whole < std::ssize(digits) && digits[static_cast<std::size_t>(whole)] >= '5';
-  if (rounds_up) ++magnitude;
-  return decimal->negative ? -magnitude : magnitude;
-}
-
-std::optional<std::int64_t> ParseSecondsNs(std::string_view text) {
-  return ParseTimeNs(text, 1'000'000'000);
+  if (digit(whole) >= 5) ++magnitude;
+  return negative ? -magnitude : magnitude;
 }
 
 std::string FormatSecondsNs(std::int64_t time_ns) {

@@ -16,10 +16,9 @@ namespace cvo {
 [[nodiscard]] std::optional<std::int64_t> ParseInteger(std::string_view text);
 [[nodiscard]] std::optional<int> ParseInt(std::string_view text);
 
-// Parses decimal seconds ("1305031102.175304", "1.000000e-01") to ns, without going through double.
-// Digits beyond the ninth are rounded, half away from zero. Empty if the text is not a number, or
-// for a time beyond 146 years. ParseTimeNs does so for another unit, a power of ten.
-[[nodiscard]] std::optional<std::int64_t> ParseSecondsNs(std::string_view text);
+// Parses a decimal time ("1305031102.175304", "1.000000e-01") in a unit, a power of ten of 1 ns, to
+// ns, without going through double. Digits beyond 1 ns are rounded, half away from zero. Empty if
+// the text is not a number, or for a time beyond 146 years.
 [[nodiscard]] std::optional<std::int64_t> ParseTimeNs(std::string_view text, std::int64_t unit_ns);
 std::string FormatSecondsNs(std::int64_t time_ns);
 

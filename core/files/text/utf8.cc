@@ -50,6 +50,14 @@ char32_t InLine(char32_t character) {
   return IsControl(character) || TurnsDirection(character) ? kNoCharacter : character;
 }
 
+// Appends the first byte of a character and the bytes that continue it.
+void AppendUtf8(char32_t character, std::string& text) {
+  constexpr std::array<char32_t, 4> kFirst = {0, 0xC0, 0xE0, 0xF0};
+  unsigned more = character < 0x80 ? 0 : character < 0x800 ? 1 : character < 0x10000 ? 2 : 3;
+  text += static_cast<char>(kFirst[more] | (character >> 6U * more));
+  while (more-- > 0) text += static_cast<char>(0x80U | ((character >> 6U * more) & 0x3FU));
+}
+
 bool NeedsBackslash(std::string_view text, std::size_t at) {
   constexpr std::string_view kSpecial = "|*_<>`\\~$&#";
   const char c = text[at];
@@ -96,25 +104,6 @@ bool IsUtf8(std::string_view text) {
 bool HasControl(std::string_view text) {
   return std::any_of(text.begin(), text.end(),
                      [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
-}
-
-void AppendUtf8(char32_t character, std::string& text) {
-  const auto add = [&text](char32_t byte) { text += static_cast<char>(byte); };
-  if (character < 0x80) {
-    add(character);
-  } else if (character < 0x800) {
-    add(0xC0 | (character >> 6));
-    add(0x80 | (character & 0x3F));
-  } else if (character < 0x10000) {
-    add(0xE0 | (character >> 12));
-    add(0x80 | ((character >> 6) & 0x3F));
-    add(0x80 | (character & 0x3F));
-  } else {
-    add(0xF0 | (character >> 18));
-    add(0x80 | ((character >> 12) & 0x3F));
-    add(0x80 | ((character >> 6) & 0x3F));
-    add(0x80 | (character & 0x3F));
-  }
 }
 
 std::string Printable(std::string_view text) {

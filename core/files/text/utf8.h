@@ -18,8 +18,6 @@ bool IsUtf8(std::string_view text);
 // Whether the text contains ASCII control characters, which include line ends.
 bool HasControl(std::string_view text);
 
-void AppendUtf8(char32_t character, std::string& text);
-
 // Converts text from a file to one line that is safe to print: line ends and tabs become blanks;
 // other control characters and those that change the writing direction become U+FFFD.
 std::string Printable(std::string_view text);

@@ -143,9 +143,14 @@ int EvaluateFiles(const TrajectoryFlags& flags) {
 
 constexpr const char* kResult = "result.json";
 
-// Throws Error for the folder of a run: its result would be lost, and its other files would be
-// taken for those of the system.
+// Throws Error for the folder of a suite or of a run: its result would be lost, and its other files
+// would be taken for those of the system.
 void RefuseRunFolder(const fs::path& folder) {
+  CheckPlaceOfRun(folder);
+  const fs::path result = folder / kResult;
+  if (fs::exists(result) && !ReadJson(result).contains("system")) {
+    ThrowError(result.string(), "the result of a run", "a folder without, or one of a system");
+  }
   for (const std::string& name : RunFileNames()) {
     if (name == kResult || !fs::exists(folder / name)) continue;
     ThrowError(folder.string(), name + " of a run", "a folder without");

@@ -1,89 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// clustervo info, and what one stereo pair reveals about its calibration.
+// clustervo info.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
-#include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/features/orb/orb.h"
 #include "core/files/json/json.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/run.h"
 #include "experiments/datasets/body_truth.h"
-#include "experiments/datasets/images.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/run_files.h"
 
 namespace cvo {
-namespace {
-
-// Returns the keypoint that looks most like this one; nullptr if none is similar enough or another
-// is about as similar.
-const OrbKeypoint* MostAlike(const OrbKeypoint& keypoint, const std::vector<OrbKeypoint>& others) {
-  constexpr int kFarthest = 64;        // of 256 bits
-  constexpr double kUniqueness = 0.8;  // best / second-best distance
-  int best = 257;
-  int second = 257;
-  const OrbKeypoint* alike = nullptr;
-  for (const OrbKeypoint& other : others) {
-    const int distance = HammingDistance(keypoint.descriptor, other.descriptor);
-    if (distance < best) {
-      second = best;
-      best = distance;
-      alike = &other;
-    } else {
-      second = std::min(second, distance);
-    }
-  }
-  return best <= kFarthest && best < kUniqueness * second ? alike : nullptr;
-}
-
-// Returns left minus right of the corners that are each other's most alike.
-std::vector<Eigen::Vector2d> MatchAnywhere(const cv::Mat& left, const cv::Mat& right) {
-  const OrbOptions options = {.features = 1000};
-  const std::vector<OrbKeypoint> of_left = ExtractOrb(left, options).keypoints;
-  const std::vector<OrbKeypoint> of_right = ExtractOrb(right, options).keypoints;
-  std::vector<Eigen::Vector2d> apart_px;
-  for (const OrbKeypoint& keypoint : of_left) {
-    const OrbKeypoint* partner = MostAlike(keypoint, of_right);
-    if (partner == nullptr || MostAlike(*partner, of_left) != &keypoint) continue;
-    apart_px.emplace_back(keypoint.u_px - partner->u_px, keypoint.v_px - partner->v_px);
-  }
-  return apart_px;
-}
-
-}  // namespace
-
-std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence) {
-  constexpr std::size_t kFewest = 20;
-  const std::size_t middle = sequence.images.size() / 2;
-  const cv::Mat left = LoadFrameImage(sequence, middle, 0).grey;
-  const cv::Mat right = LoadFrameImage(sequence, middle, 1).grey;
-  if (left.empty() || right.empty()) return std::nullopt;
-  const std::vector<Eigen::Vector2d> apart_px = MatchAnywhere(left, right);
-  if (apart_px.size() < kFewest) return std::nullopt;
-  std::vector<double> rows_px;
-  std::vector<double> disparities_px;
-  for (const Eigen::Vector2d& apart : apart_px) {
-    disparities_px.push_back(apart.x());
-    rows_px.push_back(std::abs(apart.y()));
-  }
-  PairCheck pair{sequence.first_frame + static_cast<int>(middle), apart_px.size(),
-                 Median(std::move(rows_px)), Median(std::move(disparities_px)), ""};
-  if (cv::norm(left, right, cv::NORM_INF) == 0.0) {
-    pair.problem = "the left and right images are the same";
-  } else if (pair.disparity_px < 0.0) {
-    pair.problem =
-        "left and right seem to be swapped: points are farther right in the right image than in "
-        "the left";
-  }
-  return pair;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -119,11 +52,9 @@ std::ptrdiff_t FramesWithTruth(const Sequence& sequence) {
   return std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !!pose; });
 }
 
-std::vector<std::string> Warnings(const Sequence& sequence, const std::optional<PairCheck>& pair) {
+std::vector<std::string> Warnings(const Sequence& sequence) {
   ReadBodyTruth(sequence);  // throws Error if files contradict each other
-  std::vector<std::string> lines = FindImplausible(sequence);
-  if (pair && !pair->problem.empty()) lines.push_back("stereo pair: " + pair->problem);
-  return lines;
+  return FindImplausible(sequence);
 }
 
 std::string DetectionsText(const Sequence& sequence) {
@@ -179,7 +110,7 @@ void PrintInfo(const Sequence& sequence, const std::optional<PairCheck>& pair) {
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});
   table.Add({"detections", DetectionsText(sequence)});
   for (const std::string& line : sequence.missing) table.Add({"missing", line});
-  for (const std::string& line : Warnings(sequence, pair)) table.Add({"implausible", line});
+  for (const std::string& line : Warnings(sequence)) table.Add({"implausible", line});
   table.Print(std::cout);
 }
 

@@ -20,6 +20,7 @@
 #include "core/files/json/options_json.h"
 #include "core/record/run_summary.h"
 #include "experiments/cli/command.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
 #include "experiments/runner/run_job.h"

@@ -47,19 +47,6 @@ std::vector<std::string> DetectorLevels(const std::filesystem::path& folder);
 // The files and folders of an import. Some paths may be empty.
 std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo);
 
-// What one stereo pair reveals about its calibration: corners matched by their appearance alone, at
-// any position in the images, so that a wrong rectification and swapped sides become visible.
-struct PairCheck {
-  int frame = 0;  // as numbered in the sequence's folder
-  std::size_t matches = 0;
-  double row_error_px = 0.0;  // median of |v_left - v_right|
-  double disparity_px = 0.0;  // median of u_left - u_right
-  std::string problem;        // why this is not a stereo pair; empty if it is one
-};
-
-// Checks the middle frame of the sequence. Empty if it cannot be decoded or has too few matches.
-std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence);
-
 // Prints a line per body that is visible in some frame. `metrics`: those of these bodies.
 void PrintBodies(const std::vector<BodyScore>& bodies, const std::vector<Metric>& metrics,
                  std::ostream& out);

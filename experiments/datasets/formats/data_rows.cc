@@ -64,6 +64,11 @@ OxtsPacket ReadPacket(const TextRow& row) {
     row.Fail(StrCat("latitude ", packet.latitude_deg, " and longitude ", packet.longitude_deg),
              "degrees within 85 and 180");
   }
+  for (const double angle_rad : {packet.roll_rad, packet.pitch_rad, packet.yaw_rad}) {
+    if (std::abs(angle_rad) > 2.0 * std::numbers::pi) {
+      row.Fail(StrCat("an angle of ", angle_rad), "roll, pitch and yaw in radians");
+    }
+  }
   return packet;
 }
 

@@ -53,7 +53,7 @@ class NewFolder {
     Write(name, png);
   }
   void Keep() {
-    if (RenameFile(temporary_, target_) != 0) ThrowErrno(target_, "write", errno);
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) ThrowErrno(target_, "write", errno);
   }
 
  private:

@@ -13,7 +13,7 @@ import numpy as np
 
 _SCHEMA_VERSION = 3  # of result.json
 # Columns by type; all others are numbers. An empty field is "", -1 or NaN.
-_TEXT = {"category", "status"}
+_TEXT = {"category", "status", "refined_status"}
 _INTEGER = {
     "frame", "timestamp_ns", "id", "observed_landmarks", "detection", "cluster", "inferred",
     "confidence", "truth_body",

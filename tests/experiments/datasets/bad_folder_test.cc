@@ -146,6 +146,8 @@ TEST(BadRawDrive, Images) {
 TEST(BadRawDrive, TimesAndPackets) {
   std::string far_north = OxtsPacketText(0.0);
   far_north.replace(0, 2, "91");
+  std::string degrees = OxtsPacketText(0.0);
+  degrees.replace(degrees.find(" 100 0 0 0"), 10, " 100 0 0 45");
   const std::string packet = "oxts/data/0000000002.txt";
   const std::string two = DateTimeRow(0) + DateTimeRow(1);
   ExpectFaults(
@@ -164,6 +166,7 @@ TEST(BadRawDrive, TimesAndPackets) {
         packet + ":1 | \"nan\" in column 30 | a finite number"},
        {{{packet, ""}}, packet + " | 0 lines | one OxTS packet"},
        {{{packet, far_north}}, packet + ":1 | latitude 91 | within 85"},
+       {{{packet, degrees}}, packet + ":1 | an angle of 45 | yaw in radians"},
        {{{"oxts/data/0000000003.txt"}}, "oxts/data | 3 packets | 4, as many as images"},
        {{{"oxts/data/0000000001.txt"}}, "oxts/data | 3 files without number 1 | all from 0 to 3"}});
 }

@@ -37,20 +37,24 @@ TEST(Number, MustSpanTheWholeText) {
   EXPECT_EQ(ParseInteger("99999999999999999999"), std::nullopt);
 }
 
+std::optional<std::int64_t> Seconds_ns(const char* text) {
+  return ParseTimeNs(text, 1'000'000'000);
+}
+
 TEST(Number, SecondsAreExactToTheNanosecond) {
-  EXPECT_EQ(ParseSecondsNs("1.000000e-01"), 100'000'000);
-  EXPECT_EQ(ParseSecondsNs("1.234567e+02"), 123'456'700'000);
-  EXPECT_EQ(ParseSecondsNs("1305031102.175304001"), 1305031102175304001);
-  EXPECT_EQ(ParseSecondsNs("12"), 12'000'000'000);
-  EXPECT_EQ(ParseSecondsNs("1E2"), 100'000'000'000);
-  EXPECT_EQ(ParseSecondsNs("-0.5"), -500'000'000);
-  EXPECT_EQ(ParseSecondsNs(".000000001"), 1);
-  EXPECT_EQ(ParseSecondsNs("0.0000000014"), 1);
-  EXPECT_EQ(ParseSecondsNs("0.0000000015"), 2);
-  EXPECT_EQ(ParseSecondsNs("0.9999999999"), 1'000'000'000);
-  EXPECT_EQ(ParseSecondsNs("1e-30"), 0);
+  EXPECT_EQ(Seconds_ns("1.000000e-01"), 100'000'000);
+  EXPECT_EQ(Seconds_ns("1.234567e+02"), 123'456'700'000);
+  EXPECT_EQ(Seconds_ns("1305031102.175304001"), 1305031102175304001);
+  EXPECT_EQ(Seconds_ns("12"), 12'000'000'000);
+  EXPECT_EQ(Seconds_ns("1E2"), 100'000'000'000);
+  EXPECT_EQ(Seconds_ns("-0.5"), -500'000'000);
+  EXPECT_EQ(Seconds_ns(".000000001"), 1);
+  EXPECT_EQ(Seconds_ns("0.0000000014"), 1);
+  EXPECT_EQ(Seconds_ns("0.0000000015"), 2);
+  EXPECT_EQ(Seconds_ns("0.9999999999"), 1'000'000'000);
+  EXPECT_EQ(Seconds_ns("1e-30"), 0);
   for (const char* text : {"", ".", "-", "e5", "1e", "1e5x", "1.2.3", "nan", "1e400", "9e9"}) {
-    EXPECT_EQ(ParseSecondsNs(text), std::nullopt) << text;
+    EXPECT_EQ(Seconds_ns(text), std::nullopt) << text;
   }
 }
 

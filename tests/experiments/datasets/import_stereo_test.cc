@@ -11,6 +11,7 @@
 #include "core/files/text_file.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/import/stereo_source.h"
+#include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
 #include "tests/support/error_message.h"
 #include "tests/support/image_file.h"

@@ -9,6 +9,7 @@
 
 #include <functional>
 
+#include "experiments/datasets/plausibility.h"
 #include "tests/experiments/datasets/folders.h"
 #include "tests/support/error_message.h"
 
@@ -263,12 +264,16 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
   Sequence good;
   good.camera = StereoCamera{500.0, 500.0, 320.0, 240.0, 0.12, 640, 480};
   good.images.resize(20);
+  good.groundtruth_world_from_camera.resize(20);
   for (int i = 0; i < 20; ++i) {
     good.timestamps_ns.push_back(100'000'000LL * i);
     ObjectBox box;
+    box.frame = i;
     box.left_px = box.top_px = 100.0;
     box.right_px = box.bottom_px = 300.0;
     good.detections.push_back(box);
+    box.box3d = {1.0, 1.0, 1.0, {-0.5, 0.3, 2.0}, 0.0};
+    good.labels.push_back(box);
   }
   const auto scale_boxes = [](double factor) {
     return [factor](Sequence& s) {
@@ -287,6 +292,7 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
       }
     };
   };
+  const auto spoil_label = [](auto spoil) { return [spoil](Sequence& s) { spoil(s.labels[3]); }; };
   struct Case {
     std::function<void(Sequence&)> spoil;
     std::string message;
@@ -299,7 +305,18 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
         Case{scale_times(20.0), "times: a median of 2 s per frame"},
         Case{scale_times(1e-3), "!times: found a median of "},
         Case{scale_boxes(2.0), "detections: 20 of 20 boxes end beyond the image of 640x480 px"},
-        Case{scale_boxes(1.0 / 640.0), "!boxes in pixels"}}) {
+        Case{scale_boxes(1.0 / 640.0), "!boxes in pixels"},
+        Case{scale_boxes(0.78), "detections: all 20 boxes lie in the upper left quarter"},
+        Case{[](Sequence& s) { s.detections[3].frame = s.detections[5].frame = 4; },
+             "detections: 2 of 20 boxes repeat another one"},
+        Case{spoil_label([](ObjectBox& box) { box.occlusion = 7; }),
+             "labels, frame 3: occlusion 7, where -1 to 3 are defined"},
+        Case{spoil_label([](ObjectBox& box) { box.truncation = 50.0; }), "truncation 50"},
+        Case{spoil_label([](ObjectBox& box) { box.box3d->heading_rad = 90.0; }), "heading 90"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.labels) box.box3d->bottom_in_camera.x() += 4.0;
+             },
+             "labels: of 20 boxes in 3D, 20 have their centre beside"}}) {
     Sequence sequence = good;
     c.spoil(sequence);
     const std::string refused = ErrorMessage([&] { RefuseImpossible(sequence); });

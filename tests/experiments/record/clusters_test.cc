@@ -179,22 +179,24 @@ TEST_F(Clusters, ARowHasAllFields) {
   cluster().velocity_m_s = {0.1, 0.2, 0.3};
   auto rows = Cells(ObjectTable(), ',');
   ASSERT_THAT(rows, SizeIs(2));
-  ASSERT_THAT(rows[0], SizeIs(48));
-  ASSERT_THAT(rows[1], SizeIs(48));
+  ASSERT_THAT(rows[0], SizeIs(49));
+  ASSERT_THAT(rows[1], SizeIs(49));
   EXPECT_THAT(std::vector(rows[1].begin(), rows[1].begin() + 15),
               ElementsAre("4", "500", "3", "Car", ToString(ClusterStatus::kPredicted), "0", "0",
                           "9", "0", "0", "0", "1", "0.1", "0.2", "0.3"));
-  EXPECT_EQ(rows[1][15], "");  // no refined pose
-  EXPECT_EQ(rows[1][30], "0.8");
-  EXPECT_EQ(rows[1][33], "1");  // of the box in the object frame
-  EXPECT_EQ(rows[0][38], "length_m");
-  EXPECT_EQ(rows[1][38], "4");
-  EXPECT_EQ(rows[1][45], "12");
-  EXPECT_EQ(rows[1][46], "");  // no detection
-  EXPECT_EQ(rows[1][47], "0.75");
+  EXPECT_EQ(rows[1][16], "");  // no refined pose
+  EXPECT_EQ(rows[1][31], "0.8");
+  EXPECT_EQ(rows[1][34], "1");  // of the box in the object frame
+  EXPECT_EQ(rows[0][39], "length_m");
+  EXPECT_EQ(rows[1][39], "4");
+  EXPECT_EQ(rows[1][46], "12");
+  EXPECT_EQ(rows[1][47], "");  // no detection
+  EXPECT_EQ(rows[1][48], "0.75");
   clusters_ = {Refined(0, At(0, 0, 8))};
   rows = Cells(ObjectTable(), ',');
-  EXPECT_EQ(rows[1][17], "8");
+  EXPECT_EQ(rows[1][4], "predicted");  // each pose with a status of its own
+  EXPECT_EQ(rows[1][15], "tracked");
+  EXPECT_EQ(rows[1][18], "8");
 }
 
 TEST_F(Clusters, FramesBeforeConfirmationHaveOnlyARefinedPose) {
@@ -207,10 +209,11 @@ TEST_F(Clusters, FramesBeforeConfirmationHaveOnlyARefinedPose) {
   const auto rows = Cells(ObjectTable(), ',');
   ASSERT_THAT(rows, SizeIs(3));
   EXPECT_THAT(std::vector(rows[1].begin(), rows[1].begin() + 8),
-              ElementsAre("4", "500", "3", "Car", "tracked", "", "", ""));
-  EXPECT_EQ(rows[1][17], "8");
-  EXPECT_EQ(rows[1][38], "4");  // its box in that frame
-  EXPECT_EQ(rows[1][45], "12");
+              ElementsAre("4", "500", "3", "Car", "", "", "", ""));
+  EXPECT_EQ(rows[1][15], "tracked");
+  EXPECT_EQ(rows[1][18], "8");
+  EXPECT_EQ(rows[1][39], "4");  // its box in that frame
+  EXPECT_EQ(rows[1][46], "12");
   EXPECT_EQ(rows[2][7], "9");
   EXPECT_EQ(Track()[0], "4");
 }

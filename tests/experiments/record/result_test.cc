@@ -126,7 +126,7 @@ class Result : public testing::Test {
 
   std::string File() {
     run_.frames = frames_;
-    return test::Collected(WriteResultFile, run_);
+    return ResultFile(run_);
   }
 
   Sequence sequence_;
@@ -223,7 +223,7 @@ TEST_F(Result, TimingHasQuantilesAndContext) {
   run_.timing = ThisProcess();
   run_.timing.job = "job";
   run_.timing.threads = 2;
-  const Json json = ParseJson(test::Collected(WriteTimingFile, run_), "timing");
+  const Json json = ParseJson(TimingFile(run_), "timing");
   EXPECT_EQ(json["frames_per_second"], 2.0);
   EXPECT_EQ(json["threads"], 2);
   EXPECT_EQ(json["job"], "job");

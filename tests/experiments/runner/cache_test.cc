@@ -55,9 +55,7 @@ class RunnerCache : public testing::Test {
     request.options.orb.features = 300;
     return request;
   }
-  static std::string ResultOf(const RunResult& run) {
-    return test::Collected(WriteResultFile, run);
-  }
+  static std::string ResultOf(const RunResult& run) { return ResultFile(run); }
   static std::string ResultOf(const RunRequest& request) {
     return ResultOf(RunSequence(request).value());
   }

@@ -121,7 +121,7 @@ class Runner : public testing::Test {
   RunRequest Request(const VariantInfo& variant = kFake) const {
     return {.sequence = sequence_, .variant = variant, .options = {}};
   }
-  std::string ResultOf(const RunResult& run) const { return test::Collected(WriteResultFile, run); }
+  std::string ResultOf(const RunResult& run) const { return ResultFile(run); }
 
   test::TempFolder folder_;
   Sequence sequence_;

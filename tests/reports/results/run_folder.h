@@ -18,16 +18,18 @@ struct RunFiles {
   Json truth = {{"schema_version", 1}, {"kind", "truth"}, {"job", "a"}, {"camera", Json::array()}};
   Json timing = TimingOf("detect", 2.0);
   std::string objects =
-      "frame,timestamp_ns,id,category,status,x,y,z,qx,qy,qz,qw,vx,vy,vz,refined_x,refined_y,"
+      "frame,timestamp_ns,id,category,status,x,y,z,qx,qy,qz,qw,vx,vy,vz,refined_status,refined_x,"
+      "refined_y,"
       "refined_z,refined_qx,refined_qy,refined_qz,refined_qw,refined_vx,refined_vy,refined_vz,"
       "center_x,center_y,center_z,half_x_m,half_y_m,half_z_m,"
       "box_x,box_y,box_z,box_qx,box_qy,box_qz,box_qw,length_m,height_m,width_m,"
       "left_px,top_px,right_px,bottom_px,"
       "observed_landmarks,detection,score\n"
-      "11,2,7,car,tracked,9,9,9,0,0,0,1,9,9,9,1,2,3,0,0,0,1,0.1,0.2,0.3,4,5,6,0.4,0.5,0.6,7,7,7,0,"
+      "11,2,7,car,tracked,9,9,9,0,0,0,1,9,9,9,tracked,1,2,3,0,0,0,1,0.1,0.2,0.3,4,5,6,0.4,0.5,0.6,"
+      "7,7,7,0,"
       "1,0,0,4,1.5,2,"
       "0,0,1,1,20,0,0.9\n"
-      "12,3,7,car,predicted,7,8,9,0,0,0,1,0.7,0.8,0.9,,,,,,,,,,,4,5,6,0.4,0.5,0.6,7,7,7,0,1,0,0,4,"
+      "12,3,7,car,predicted,7,8,9,0,0,0,1,0.7,0.8,0.9,,,,,,,,,,,,4,5,6,0.4,0.5,0.6,7,7,7,0,1,0,0,4,"
       "1.5,2,,,,,0,,0\n";
 
   RunFiles() {

@@ -120,32 +120,6 @@ TEST(DumpJson, RowsTakeOneLineEach) {
   EXPECT_EQ(DumpJson(Json::object()), "{}\n");
 }
 
-TEST(DumpJsonWithRows, AgreesWithDumpJson) {
-  const Json head = {{"a", 1}, {"b", {{"c", 0.5}}}};
-  const std::vector<Json> all = {{{"x", 1}, {"y", {1.0, 2.0}}},
-                                 Json::array({"p", "q"}),
-                                 {{"x", 2}, {"inner", {{"list", {1, 2}}, {"z", nullptr}}}},
-                                 7};
-  for (std::size_t count = 0; count <= all.size(); ++count) {
-    Json whole = head;
-    whole["rows"] = Json(std::vector<Json>(all.begin(), all.begin() + static_cast<long>(count)));
-    if (count == 0) whole["rows"] = Json::array();
-    std::size_t next = 0;
-    std::string text;
-    DumpJsonWithRows(
-        head, "rows", [&](Json& row) { return next < count && (row = all[next++], true); },
-        [&text](std::string_view part) { text += part; });
-    EXPECT_EQ(text, DumpJson(whole)) << count;
-    whole["z"] = {{"last", true}};
-    next = 0;
-    text.clear();
-    DumpJsonWithRows(
-        head, "rows", [&](Json& row) { return next < count && (row = all[next++], true); },
-        [&text](std::string_view part) { text += part; }, {{"z", {{"last", true}}}});
-    EXPECT_EQ(text, DumpJson(whole)) << count;
-  }
-}
-
 enum class Colour { kRed, kDarkBlue };
 constexpr std::array<const char*, 2> EnumNames(Colour) { return {"red", "dark blue"}; }
 
@@ -240,6 +214,8 @@ TEST(Utf8, PrintableReplacesControlCharacters) {
 }
 
 TEST(Utf8, AcceptsOnlyCompleteValidSequences) {
+  EXPECT_EQ(Printable("z\xc3\xa9\xef\xbf\xbd\xf0\x9f\x98\x80"),
+            "z\xc3\xa9\xef\xbf\xbd\xf0\x9f\x98\x80");
   EXPECT_TRUE(IsUtf8("plain, \xc3\xa9, \xef\xbf\xbd, \xf0\x9f\x98\x80"));
   for (const char* text : {"\xff", "a\xc3", "\xc0\x80", "\xed\xa0\x80", "\xf4\x90\x80\x80"}) {
     EXPECT_FALSE(IsUtf8(text));

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/datasets/sequence.h"
+
+// What a stereo sequence can look like. All ways in ask here: folders, own images, imports,
+// detections and labels.
+namespace cvo {
+
+// What one stereo pair reveals about its calibration: corners matched by their appearance alone, at
+// any position in the images, so that a wrong rectification and swapped sides become visible.
+struct PairCheck {
+  int frame = 0;  // as numbered in the sequence's folder
+  std::size_t matches = 0;
+  double row_error_px = 0.0;  // median of |v_left - v_right|
+  double disparity_px = 0.0;  // median of u_left - u_right
+  std::string problem;        // why this is not a stereo pair; empty if it is one
+};
+
+// Checks the middle frame of the sequence. Empty if it cannot be decoded or has too few matches.
+std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence);
+
+// Throws Error for what cannot be: more than 1000 frames per second, boxes in parts of the image.
+void RefuseImpossible(const Sequence& sequence);
+
+// Describes what is well-formed but unlikely, one line per finding, with the number that makes it
+// so, after the notes on reading: of the baseline, the times, the ground truth, the boxes and
+// labels, of images that repeat the ones before (`repeated` frames), and of images of a few frames
+// that contradict each other, the calibration or the ground truth (not of rendered scenes, whose
+// files are known). Empty if nothing is.
+std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0);
+
+}  // namespace cvo
