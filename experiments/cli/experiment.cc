@@ -3,7 +3,6 @@
 // clustervo experiment: run suites, or show what would run.
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <map>
@@ -192,12 +191,12 @@ class SuiteRun {
   }
 
   void Prepare(const std::vector<Preparation>& preparations, Messages& failed) {
-    for (const Stage stage : kStages) {
-      std::vector<const Preparation*> of_stage;
+    for (const bool draws : {true, false}) {
+      std::vector<const Preparation*> at_once;
       for (const Preparation& one : preparations) {
-        if (one.stage == stage) of_stage.push_back(&one);
+        if (one.draws == draws) at_once.push_back(&one);
       }
-      if (!of_stage.empty()) PrepareAtOnce(of_stage, failed);
+      if (!at_once.empty()) PrepareAtOnce(at_once, failed);
     }
   }
 

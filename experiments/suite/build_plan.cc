@@ -10,11 +10,12 @@
 #include "core/base/error.h"
 #include "core/files/json/options_json.h"
 #include "core/files/sha256.h"
-#include "experiments/runner/front_end_cache.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/system_run.h"
 #include "experiments/suite/suite.h"
+#include "synth/family/family.h"
+#include "synth/write/dataset.h"
 #include "synth/write/render_cache.h"
 
 namespace cvo {
@@ -71,11 +72,138 @@ struct Input {
   std::string detections;  // DetectionsHash
 };
 
-// What jobs of one variant at one grid point share.
-struct VariantAtPoint {
-  Options options;
-  Json json;              // the same
-  std::string front_end;  // front-end options, as text
+// Whether the last components of `path` are those of `end`.
+bool EndsWith(const fs::path& path, const fs::path& end) {
+  auto a = path.end();
+  auto b = end.end();
+  while (b != end.begin()) {
+    if (a == path.begin() || *--a != *--b) return false;
+  }
+  return true;
+}
+
+// Returns the first file of boxes or labels that does not exist below `data`, as written in the
+// suite; empty if all exist.
+std::string FindMissingFile(const SuiteSequence& sequence, const fs::path& data) {
+  std::vector<std::string> files = {sequence.labels_file.string()};
+  if (sequence.scene.empty() && !AreFromLabels(sequence.detections)) {
+    files.push_back(sequence.detections);
+  }
+  for (const std::string& file : files) {
+    std::error_code ignored;
+    if (!file.empty() && !fs::is_regular_file(data / file, ignored)) return file;
+  }
+  return "";
+}
+
+// The user's data folder, searched on first need. Sequences are found by their path below it, or by
+// the end of their path.
+class DataFolder {
+ public:
+  explicit DataFolder(fs::path root) : root_(std::move(root)) {}
+
+  const fs::path& root() const { return root_; }
+
+  struct Found {
+    fs::path folder;      // absolute; empty: missing
+    std::string missing;  // why it is missing, for the user
+  };
+  Found Find(const std::string& folder) {
+    if (root_.empty()) return {{}, "no data folder: use --data or set CLUSTERVO_DATA"};
+    std::error_code ignored;
+    if (!fs::is_directory(root_, ignored)) return {{}, "no data folder " + root_.string()};
+    const fs::path direct = NormalFolder(root_ / folder);
+    if (!DetectSequenceType(direct).empty()) {
+      if (HasImages(direct)) return {fs::absolute(direct), ""};
+      return {{}, StrCat("no images of both cameras of ", folder, " below ", root_.string())};
+    }
+    if (!all_) all_ = FindSequences(root_);
+    Found found;
+    for (const FoundSequence& sequence : *all_) {
+      if (!EndsWith(sequence.folder, NormalFolder(fs::path("/") / folder).relative_path()))
+        continue;
+      if (!found.folder.empty()) {
+        return {{},
+                StrCat("both ", found.folder.string(), " and ", sequence.folder.string(),
+                       " end in ", folder)};
+      }
+      found.folder = fs::absolute(sequence.folder);
+    }
+    if (found.folder.empty()) found.missing = StrCat("no ", folder, " below ", root_.string());
+    return found;
+  }
+
+ private:
+  fs::path root_;  // empty: none
+  std::optional<std::vector<FoundSequence>> all_;
+};
+
+synth::RenderRequest RenderOf(const SuiteSequence& sequence, std::uint64_t seed) {
+  synth::RenderRequest request;
+  request.seed = seed;
+  if (!sequence.frames.empty()) {
+    const FrameRange range = ParseFrameRange(sequence.frames);
+    request.frames.first = range.begin;
+    if (range.end >= 0) request.frames.end = range.end;
+  }
+  return request;
+}
+
+// Finds scenes below <cache>/scenes by a key of what determines their content: the scene, the
+// values assigned to it, the seed, the frames and the program that draws.
+class SceneFolders {
+ public:
+  explicit SceneFolders(fs::path cache) : cache_(std::move(cache)) {}
+
+  // Throws Error for an invalid scene, and if no renderer is available.
+  Preparation Find(const SuiteSequence& sequence, const GridPoint& parameters, std::uint64_t seed) {
+    const std::vector<std::string> assignments = SceneAssignments(sequence, parameters);
+    const auto& [source, all_frames] = SourceFor(sequence, assignments);
+    const synth::RenderRequest request = RenderOf(sequence, seed);
+    const std::string key =
+        StrCat(source.scene, "-", synth::DatasetKey(source, request).substr(0, 16));
+    Preparation render;
+    render.name = StrCat("render-", sequence.name, "-", key);
+    render.sequence = sequence.name;
+    render.output = synth::ScenesFolder(cache_) / key / source.scene;
+    render.drawing = synth::DrawingKey(source, request);
+    std::error_code ignored;
+    const bool drawn = fs::exists(cache_ / render.drawing / synth::kManifestName, ignored);
+    render.draws = !drawn;
+    render.frames = request.frames.end.value_or(all_frames) - request.frames.first;
+    render.arguments = {"synth",
+                        "render",
+                        sequence.scene,
+                        "-o",
+                        render.output.string(),
+                        "--seed",
+                        std::to_string(seed)};
+    const auto add = [&](const char* flag, const std::string& value) {
+      render.arguments.insert(render.arguments.end(), {flag, value});
+    };
+    if (!sequence.frames.empty()) add("--frames", sequence.frames);
+    for (const std::string& assignment : assignments) add("--set", assignment);
+    return render;
+  }
+
+ private:
+  struct Source {
+    synth::DatasetSource dataset;
+    int frames = 0;
+  };
+  const Source& SourceFor(const SuiteSequence& sequence,
+                          const std::vector<std::string>& assignments) {
+    std::string key = sequence.scene;
+    for (const std::string& assignment : assignments) key += "\n" + assignment;
+    const auto found = sources_.find(key);
+    if (found != sources_.end()) return found->second;
+    const auto scene = synth::LoadScene(sequence.scene, assignments);
+    Source source = {synth::SourceOf(scene, {}), scene.parts().frames};
+    return sources_.emplace(key, std::move(source)).first->second;
+  }
+
+  fs::path cache_;
+  std::map<std::string, Source> sources_;  // by scene and assignments
 };
 
 fs::path Absolute(const fs::path& path) {
@@ -125,7 +253,7 @@ class Planner {
     const auto damage = FindSceneDamage(scene.output);
     if (!damage) return true;
     request_.notice("a cached scene is damaged and will be rendered again:  " + *damage);
-    scene.stage = Stage::kDrawing;
+    scene.draws = true;
     return false;
   }
 
@@ -133,11 +261,10 @@ class Planner {
   void OrderPreparations() {
     std::set<std::string> drawing;
     for (Preparation& wanted : wanted_) {
-      if (wanted.stage != Stage::kDrawing || drawing.insert(wanted.drawing).second) continue;
-      wanted.stage = Stage::kNoise;
+      wanted.draws = wanted.draws && drawing.insert(wanted.drawing).second;
     }
-    std::stable_sort(wanted_.begin(), wanted_.end(),
-                     [](const auto& a, const auto& b) { return a.stage < b.stage; });
+    std::stable_partition(wanted_.begin(), wanted_.end(),
+                          [](const Preparation& wanted) { return wanted.draws; });
   }
 
   void Open(const PlanJob& job, Input& input) {
@@ -194,19 +321,16 @@ class Planner {
                                   : inputs_.emplace(key, FindInput(job)).first->second;
   }
 
-  const VariantAtPoint& ResolvedOf(const PlanJob& job) {
+  // The options of a variant at a grid point.
+  const Json& ResolvedOf(const PlanJob& job) {
     std::string key = job.variant;
     for (const auto& [path, value] : job.parameters.items()) {
       if (IsOptionPath(path)) key += StrCat("\n", path, "=", value.dump());
     }
     const auto found = resolved_.find(key);
     if (found != resolved_.end()) return found->second;
-    VariantAtPoint resolved;
-    resolved.options = OptionsOf(suite_, job.variant, job.parameters);
-    const Json options = OptionsToJson(OptionLeaves(resolved.options));
-    resolved.front_end = options["orb"].dump() + options["stereo"].dump();
-    resolved.json = options;
-    return resolved_.emplace(key, std::move(resolved)).first->second;
+    Options options = OptionsOf(suite_, job.variant, job.parameters);
+    return resolved_.emplace(key, OptionsToJson(OptionLeaves(options))).first->second;
   }
 
   void IdentifyFiles(const Input& input, PlanJob& job) const {
@@ -232,10 +356,10 @@ class Planner {
       IdentifyFiles(input, job);
       return;
     }
-    const VariantAtPoint& resolved = ResolvedOf(job);
-    job.input = Sha256Hex(input.content + resolved.front_end);
+    const Json& options = ResolvedOf(job);
+    job.input = Sha256Hex(input.content + options["orb"].dump() + options["stereo"].dump());
     job.job = reports::JobIdentity(
-        {ThisBuild().identity, job.variant, resolved.json, input.content, input.detections,
+        {ThisBuild().identity, job.variant, options, input.content, input.detections,
          Given(input.sequence, ClassesOf(SequenceOf(job)), OracleOf(job.oracle)), job.seed});
   }
 
@@ -244,7 +368,7 @@ class Planner {
   DataFolder data_;
   SceneFolders scenes_;
   std::map<std::string, Input> inputs_;
-  std::map<std::string, VariantAtPoint> resolved_;
+  std::map<std::string, Json> resolved_;
   std::vector<Preparation> wanted_;
   std::set<fs::path> wanted_outputs_;
 };

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,36 +15,10 @@
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/identity.h"
 #include "experiments/suite/suite.h"
-#include "synth/write/dataset.h"
 
 namespace cvo {
 
-// The user's data folder. Sequences are found by their path below it, or by the end of their path.
-class DataFolder {
- public:
-  // An empty `root` means that there is no data folder. The folder is searched on first need.
-  explicit DataFolder(std::filesystem::path root) : root_(std::move(root)) {}
-
-  const std::filesystem::path& root() const { return root_; }
-
-  struct Found {
-    std::filesystem::path folder;  // absolute; empty: missing
-    std::string missing;           // why it is missing, for the user
-  };
-  Found Find(const std::string& folder);
-
- private:
-  const std::vector<FoundSequence>& All();
-
-  std::filesystem::path root_;
-  std::optional<std::vector<FoundSequence>> all_;
-};
-
-// Rendering of a scene that jobs wait for, in the order in which they run: drawing it, and adding
-// the noise of further seeds to that drawing.
-enum class Stage { kDrawing, kNoise };
-inline constexpr std::array kStages = {Stage::kDrawing, Stage::kNoise};
-
+// A scene that jobs wait for.
 struct Preparation {
   std::string name;      // unique within the plan
   std::string sequence;  // SuiteSequence::name
@@ -54,29 +26,8 @@ struct Preparation {
   std::filesystem::path output;
   std::vector<std::string> arguments;  // of the program, to write `output`
   int frames = 0;
-  Stage stage = Stage::kDrawing;  // kNoise if its drawing is in the cache
-  std::string drawing = {};       // key of the drawing, which all seeds share
-};
-
-// Finds scenes below <cache>/scenes by a key of what determines their content: the scene, the
-// values assigned to it, the seed, the frames and the program that draws.
-class SceneFolders {
- public:
-  explicit SceneFolders(std::filesystem::path cache) : cache_(std::move(cache)) {}
-
-  // Throws Error for an invalid scene, and if no renderer is available.
-  Preparation Find(const SuiteSequence& sequence, const GridPoint& parameters, std::uint64_t seed);
-
- private:
-  struct Source {
-    synth::DatasetSource dataset;
-    int frames = 0;
-  };
-  const Source& SourceFor(const SuiteSequence& sequence,
-                          const std::vector<std::string>& assignments);
-
-  std::filesystem::path cache_;
-  std::map<std::string, Source> sources_;  // by scene and assignments
+  std::string drawing = {};  // key of the drawing, which all seeds share
+  bool draws = true;         // false: only adds noise to a drawing, which is made before
 };
 
 // Returns what is wrong with a rendered folder: an unreadable manifest, or the first file that is
@@ -91,14 +42,10 @@ void RequireAsRendered(const Sequence& sequence);
 // HashImages of a sequence that is as rendered (RequireAsRendered), without reading it again.
 std::vector<ImageHashes> RenderedHashes(const Sequence& sequence);
 
-// Returns the first file of boxes or labels that does not exist below `data`, as
-// written in the suite; empty if all exist.
-std::string FindMissingFile(const SuiteSequence& sequence, const std::filesystem::path& data);
-
 using reports::kNotRendered;
 
-// PlanJob::missing starts with this if a file of boxes or labels does not exist,
-// which is not a failure.
+// PlanJob::missing starts with this if a file of boxes or labels does not exist, which is not a
+// failure.
 inline constexpr std::string_view kNoFile = "no file ";
 
 // Everything that a suite runs, as stored in plan.json in its output folder.
@@ -126,7 +73,7 @@ struct PlanRequest {
 
 struct BuiltPlan {
   Plan plan;
-  // Ordered by stage. The jobs that wait for them are kNotRendered.
+  // Those that draw come first. The jobs that wait for them are kNotRendered.
   std::vector<Preparation> preparations;
 };
 

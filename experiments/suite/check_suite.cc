@@ -81,24 +81,19 @@ void CheckScene(const SuiteSequence& sequence, const GridPoint& point) {
   }
 }
 
-// The scenes already checked, so that each is checked once. Of the scenes drawn from one
-// distribution only one, with seed 0, is checked: each takes time to make, and one that cannot be
-// made is listed with the jobs that lack it.
-class CheckedScenes {
- public:
-  bool Add(const SuiteSequence& sequence) {
-    std::string scene = sequence.scene;
-    if (synth::IsFamilyScene(scene)) {
-      synth::FamilyScene family = synth::ParseFamilyScene(scene);
-      family.seed = 0;
-      scene = family.Name();
-    }
-    return checked_.insert({scene, sequence.frames, sequence.detections}).second;
+// Whether the scene is not among those already checked. Of the scenes drawn from one distribution
+// only one, with seed 0, is checked: each takes time to make, and one that cannot be made is listed
+// with the jobs that lack it.
+using CheckedScenes = std::set<std::array<std::string, 3>>;
+bool IsNew(const SuiteSequence& sequence, CheckedScenes& checked) {
+  std::string scene = sequence.scene;
+  if (synth::IsFamilyScene(scene)) {
+    synth::FamilyScene family = synth::ParseFamilyScene(scene);
+    family.seed = 0;
+    scene = family.Name();
   }
-
- private:
-  std::set<std::array<std::string, 3>> checked_;
-};
+  return checked.insert({scene, sequence.frames, sequence.detections}).second;
+}
 
 void CheckSequences(const Suite& suite, const std::string& where) {
   if (suite.sequences.empty()) ThrowError(where + ", sequences", "none", "at least one");
@@ -117,7 +112,7 @@ void CheckSequences(const Suite& suite, const std::string& where) {
     At(at, [&] {
       PerturbationOf(sequence, {}, 0);
       if (!sequence.scene.empty()) {
-        if (checked.Add(sequence)) CheckScene(sequence, {});
+        if (IsNew(sequence, checked)) CheckScene(sequence, {});
         return;
       }
       if (!sequence.frames.empty()) ParseFrameRange(sequence.frames);
@@ -156,7 +151,7 @@ void CheckGrid(const Suite& suite, const std::string& where) {
       ThrowError(where + ", grid", "a value of scenes, and a sequence that is a folder of images",
                  "scenes alone");
     }
-    if (!checked.Add(sequence)) continue;
+    if (!IsNew(sequence, checked)) continue;
     At(where + ", grid", [&] {
       for (const std::string& variant : AnyVariants(suite)) {
         for (const GridPoint& point : GridPoints(suite, sequence, variant)) {

@@ -6,14 +6,37 @@
 #include <map>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/files/json/json_record.h"
 #include "experiments/suite/engine.h"
 
 namespace cvo {
+
+struct SlurmOptions {
+  std::filesystem::path folder;           // for the engine alone; absolute, visible to all machines
+  std::vector<std::string> sbatch_flags;  // for every task, one word each: "--partition=short"
+  int at_once = 0;                        // maximum number of running tasks; 0: decided by Slurm
+  double poll_s = 10.0;                   // between queries of the queue; shorter at the start
+  double patience_s = 1800.0;             // how long Run waits for an unresponsive Slurm
+  double latency_s = 30.0;  // until a file written by one machine is visible to another
+};
+
+// Runs tasks as job arrays of Slurm. Every submission is recorded in the folder. If Run is killed
+// and called again, tasks that still wait or run are followed, and tasks that succeeded meanwhile
+// are reported as ended; nothing is submitted twice. If Slurm stays unresponsive, Run throws and
+// its tasks continue. `stop` cancels everything recorded in the folder.
+class SlurmEngine : public Engine {
+ public:
+  // Throws Error for a flag of several words.
+  explicit SlurmEngine(SlurmOptions options);
+
+  void Run(std::span<const Task> tasks, const EngineHooks& hooks) override;
+  double latency_s() const override { return options_.latency_s; }
+
+ private:
+  SlurmOptions options_;
+};
 
 // One job array. Its folder holds everything that it needs and writes: array.json, tasks.sh,
 // end/<number>, and out/<number> (the output of Slurm itself). Any process that finds the folder
@@ -36,6 +59,8 @@ SlurmArray WriteSlurmArray(const std::filesystem::path& root, std::span<const Ta
 std::vector<SlurmArray> ReadSlurmArrays(const std::filesystem::path& root);
 // Removes the array's folder, which may stay if a node still holds a file in it open.
 void RemoveSlurmArray(const SlurmArray& array);
+// A text as one word of a POSIX shell, whatever bytes it contains.
+std::string ShellQuoted(const std::string& text);
 
 // What the script of a task wrote when the task had ended.
 struct SlurmEnd {
@@ -48,77 +73,5 @@ TaskEnd EndByCode(const Task& task, const SlurmEnd& end);
 // Returns how a task ended that was ended by Slurm ("CANCELLED", "TIMEOUT", ...), or that left the
 // queue without a state (`state` is empty).
 TaskEnd EndByState(const SlurmArray& array, std::size_t number, const std::string& state);
-
-// One task known to the queue: waiting, running or recently ended.
-struct SlurmTask {
-  std::string job;    // job id of the array: "123"
-  std::string state;  // "PENDING", "RUNNING", "COMPLETED", ...
-
-  // False if it has ended for good: Slurm will not requeue it by itself.
-  bool IsAlive() const;
-};
-// Tasks by (name of the array, task number).
-using SlurmQueue = std::map<std::pair<std::string, std::size_t>, SlurmTask>;
-
-// Outcome of submitting an array.
-struct SlurmSubmitted {
-  std::string job;      // job id; empty if refused
-  std::string refused;  // Slurm's message
-};
-
-// Thrown when Slurm does not respond. Tasks already submitted continue without us.
-class SlurmUnreachable : public Error {
- public:
-  using Error::Error;
-};
-
-// Runs Slurm's commands. While Slurm does not respond, they are retried at increasing intervals,
-// and the user is told once. Throws SlurmUnreachable after `patience_s`, or when `stop` returns
-// true.
-class SlurmClient {
- public:
-  SlurmClient(double patience_s, EngineHooks hooks);
-
-  SlurmQueue Queue(const std::vector<std::string>& names) const;
-  SlurmSubmitted Submit(const SlurmArray& array, const std::vector<std::string>& flags) const;
-  // Cancels jobs or tasks ("123", "123_4"). Those that have ended are ignored.
-  void Cancel(const std::vector<std::string>& jobs) const;
-
-  // Waits, polling `stop`. Returns false as soon as that returns true.
-  bool Pause(double seconds) const;
-
- private:
-  Captured Ask(const std::vector<std::string>& argv) const;
-
-  double patience_s_;
-  EngineHooks hooks_;
-};
-
-struct SlurmOptions {
-  std::filesystem::path folder;           // for the engine alone; absolute, visible to all machines
-  std::vector<std::string> sbatch_flags;  // for every task, one word each: "--partition=short"
-  int at_once = 0;                        // maximum number of running tasks; 0: decided by Slurm
-  double poll_s = 10.0;                   // between queries of the queue; shorter at the start
-  double patience_s = 1800.0;             // how long Run waits for an unresponsive Slurm
-  double latency_s = 30.0;  // until a file written by one machine is visible to another
-
-  // Throws Error naming an invalid field.
-  void Check() const;
-};
-
-// Runs tasks as job arrays of Slurm. Every submission is recorded in the folder. If Run is killed
-// and called again, tasks that still wait or run are followed, and tasks that succeeded meanwhile
-// are reported as ended; nothing is submitted twice. If Slurm stays unresponsive, Run throws and
-// its tasks continue. `stop` cancels everything recorded in the folder.
-class SlurmEngine : public Engine {
- public:
-  explicit SlurmEngine(SlurmOptions options);
-
-  void Run(std::span<const Task> tasks, const EngineHooks& hooks) override;
-  double latency_s() const override { return options_.latency_s; }
-
- private:
-  SlurmOptions options_;
-};
 
 }  // namespace cvo

@@ -30,19 +30,6 @@ struct BoxFlags {
   std::string truncation = "applied";
 };
 
-struct ApOfSpace {
-  ApProtocol contract;
-  std::vector<AveragePrecision> levels;
-};
-
-// The overlap is used as the similarity.
-struct TrackingOfSpace {
-  BoxSpace overlap = BoxSpace::kImage;
-  HotaScores hota;
-  ClearScores clear;
-  IdentityScores identity;
-};
-
 using Boxes = std::vector<ObjectBox> ApFrame::*;
 
 template <typename Has>
@@ -81,71 +68,58 @@ void RefuseNoLabel(const BoxFlags& flags, const std::vector<ApFrame>& frames, bo
              StrCat("at least one of ", flags.category, " that the benchmark counts"));
 }
 
-std::vector<ApOfSpace> AveragePrecisions(const BoxFlags& flags,
-                                         const std::vector<ApFrame>& frames) {
-  std::vector<ApOfSpace> all;
-  for (const BoxSpace space : SpacesOf(frames)) {
-    ApProtocol protocol;
-    protocol.category = flags.category;
-    protocol.space = space;
-    protocol.least_overlap = flags.least_overlap.value_or(flags.category == "Car" ? 0.7 : 0.5);
-    protocol.truncation = *EnumOf<TruncationRule>(flags.truncation);
-    const auto levels = EvaluateAp(frames, protocol);
-    RefuseNoLabel(flags, frames, levels.back().valid_labels > 0);
-    all.push_back({protocol, {levels.begin(), levels.end()}});
-  }
-  return all;
-}
-
-std::vector<TrackingOfSpace> TrackingScores(const BoxFlags& flags,
-                                            const std::vector<ApFrame>& frames) {
-  std::vector<TrackingOfSpace> all;
-  for (const BoxSpace space : SpacesOf(frames)) {
-    if (space == BoxSpace::kBirdsEye) continue;
-    const TrackedSequence sequence = CountedBoxes(frames, flags.category, space);
-    RefuseNoLabel(flags, frames, sequence.truth_count > 0);
-    all.push_back(
-        {space, EvaluateHota(sequence), EvaluateClear(sequence), EvaluateIdentities(sequence)});
-  }
-  return all;
-}
-
 std::string Percent(double fraction) { return FormatFixed(100.0 * fraction, 2); }
 
-void Print(const std::vector<ApOfSpace>& all, std::ostream& out) {
-  const ApProtocol& contract = all.front().contract;
-  out << contract.category << ", IoU > " << contract.least_overlap << ", truncation limits "
-      << NameOf(contract.truncation) << ", DontCare regions in 2D only\n\n";
+void PrintAveragePrecisions(const BoxFlags& flags, const std::vector<ApFrame>& frames,
+                            std::ostream& out) {
+  ApProtocol protocol;
+  protocol.category = flags.category;
+  protocol.least_overlap = flags.least_overlap.value_or(flags.category == "Car" ? 0.7 : 0.5);
+  protocol.truncation = *EnumOf<TruncationRule>(flags.truncation);
   TextTable table({"AP, percent", "points", "easy", "moderate", "hard"});
-  for (const ApOfSpace& space : all) {
+  std::vector<std::string> counts;
+  for (const BoxSpace space : SpacesOf(frames)) {
+    protocol.space = space;
+    const auto levels = EvaluateAp(frames, protocol);
+    RefuseNoLabel(flags, frames, levels.back().valid_labels > 0);
     for (const bool at_40 : {false, true}) {
-      std::vector<std::string> row = {NameOf(space.contract.space), at_40 ? "40" : "11"};
-      for (const AveragePrecision& level : space.levels) {
+      std::vector<std::string> row = {NameOf(space), at_40 ? "40" : "11"};
+      for (const AveragePrecision& level : levels) {
         row.push_back(Percent(at_40 ? level.ap40 : level.ap11));
       }
       table.Add(std::move(row));
     }
-  }
-  std::vector<std::string> counts = {"labels", ""};
-  for (const AveragePrecision& level : all.front().levels) {
-    counts.push_back(std::to_string(level.valid_labels));
+    if (!counts.empty()) continue;
+    counts = {"labels", ""};
+    for (const AveragePrecision& level : levels) {
+      counts.push_back(std::to_string(level.valid_labels));
+    }
   }
   table.Add(std::move(counts));
+  out << flags.category << ", IoU > " << protocol.least_overlap << ", truncation limits "
+      << flags.truncation << ", DontCare regions in 2D only\n\n";
   table.Print(out);
 }
 
-void Print(const std::vector<TrackingOfSpace>& all, std::ostream& out) {
-  out << "matches: intersection over union of at least 0.5 (HOTA, DetA, AssA, LocA: averaged over "
-         "thresholds); the image boxes decide which labels and detections count\n\n";
+// The overlap is used as the similarity.
+void PrintTrackingScores(const BoxFlags& flags, const std::vector<ApFrame>& frames,
+                         std::ostream& out) {
   TextTable table({"percent", "HOTA", "DetA", "AssA", "LocA", "MOTA", "MOTP", "IDF1", "switches",
                    "fragments", "missed", "false"});
-  for (const TrackingOfSpace& space : all) {
-    table.Add({NameOf(space.overlap), Percent(space.hota.hota), Percent(space.hota.det_a),
-               Percent(space.hota.ass_a), Percent(space.hota.loc_a), Percent(space.clear.mota),
-               Percent(space.clear.motp), Percent(space.identity.idf1),
-               std::to_string(space.clear.switches), std::to_string(space.clear.fragments),
-               std::to_string(space.clear.missed), std::to_string(space.clear.false_boxes)});
+  for (const BoxSpace space : SpacesOf(frames)) {
+    if (space == BoxSpace::kBirdsEye) continue;
+    const TrackedSequence sequence = CountedBoxes(frames, flags.category, space);
+    RefuseNoLabel(flags, frames, sequence.truth_count > 0);
+    const HotaScores hota = EvaluateHota(sequence);
+    const ClearScores clear = EvaluateClear(sequence);
+    table.Add({NameOf(space), Percent(hota.hota), Percent(hota.det_a), Percent(hota.ass_a),
+               Percent(hota.loc_a), Percent(clear.mota), Percent(clear.motp),
+               Percent(EvaluateIdentities(sequence).idf1), std::to_string(clear.switches),
+               std::to_string(clear.fragments), std::to_string(clear.missed),
+               std::to_string(clear.false_boxes)});
   }
+  out << "matches: intersection over union of at least 0.5 (HOTA, DetA, AssA, LocA: averaged over "
+         "thresholds); the image boxes decide which labels and detections count\n\n";
   table.Print(out);
 }
 
@@ -158,9 +132,9 @@ int EvaluateBoxes(const BoxFlags& flags) {
   const std::vector<ApFrame> frames = ReadApFrames(flags.labels, flags.estimate, range, tracks);
   std::ostringstream scores;
   if (tracks) {
-    Print(TrackingScores(flags, frames), scores);
+    PrintTrackingScores(flags, frames, scores);
   } else {
-    Print(AveragePrecisions(flags, frames), scores);
+    PrintAveragePrecisions(flags, frames, scores);
   }
   std::cout << Counted(frames.size(), "frame")
             << " with boxes; detections: " << ClassesText(frames, &ApFrame::detections) << '\n';

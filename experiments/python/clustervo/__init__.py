@@ -23,7 +23,7 @@ from ._clustervo import (
     options,
     variants,
 )
-from .results import Run, load, matrices
+from .results import Run, load, load_suite, matrices
 
 __all__ = [
     "Box",
@@ -35,6 +35,7 @@ __all__ = [
     "Run",
     "StereoOdometry",
     "load",
+    "load_suite",
     "matrices",
     "options",
     "variants",

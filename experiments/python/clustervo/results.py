@@ -50,6 +50,35 @@ def load(folder):
     )
 
 
+def load_suite(folder):
+    """Reads the folder of a suite as a table: a row per run that has a result.
+
+    Columns: job (its files are in jobs/<job>, which `load` reads), sequence, detections, variant
+    (or system), seed, oracle, the paths that the suite varies, and a column per metric, NaN where
+    a run lacks it.
+    """
+    folder = Path(folder)
+    plan = json.loads((folder / "plan.json").read_text(encoding="utf-8"))
+    rows = []
+    for job in plan["jobs"]:
+        result = folder / "jobs" / job["job"] / "result.json"
+        if not job["job"] or not result.exists():
+            continue
+        row = {name: job[name] for name in ("job", "sequence", "detections", "seed")}
+        row["variant"] = job["variant"] or job["system"]
+        row["oracle"] = "+".join(job["oracle"])
+        values = {path: value if isinstance(value, (int, float)) else json.dumps(value)
+                  for path, value in job["parameters"].items()}
+        metrics = {metric["name"]: metric["value"] for metric in _read_result(result)["metrics"]}
+        rows.append({**row, **values, **metrics})
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    columns = [np.array([row.get(name, np.nan) for row in rows]) for name in names]
+    table = np.empty(len(rows), [(name, column.dtype) for name, column in zip(names, columns)])
+    for name, column in zip(names, columns):
+        table[name] = column
+    return table
+
+
 def matrices(rows, prefix=""):
     """Poses of rows with columns x ... qw as N x 4 x 4; prefix "refined_" takes those columns."""
     x, y, z, qx, qy, qz, qw = (rows[prefix + name] for name in _POSE)

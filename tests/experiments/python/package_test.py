@@ -6,6 +6,7 @@ Usage: package_test.py README.md
 """
 
 import csv
+import json
 import re
 import shutil
 import subprocess
@@ -24,6 +25,23 @@ def blocks(text):
     """The Python blocks of a page, each on the lines where the page has it."""
     for match in re.finditer(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL):
         yield "\n" * text.count("\n", 0, match.start(1)) + match.group(1)
+
+
+class Suite(unittest.TestCase):
+    def test_is_a_table_of_its_runs(self):
+        jobs = [{"job": job, "sequence": "tiny", "detections": "good", "variant": "full",
+                 "system": "", "seed": seed, "oracle": [], "parameters": {"unary.eta": eta}}
+                for job, seed, eta in (("a", 1, 0.5), ("b", 2, 0.9), ("", 3, 0.9))]
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "plan.json").write_text(json.dumps({"jobs": jobs}))
+            Path(folder, "jobs", "a").mkdir(parents=True)
+            shutil.copy("run/result.json", Path(folder, "jobs", "a"))
+            table = clustervo.load_suite(folder)
+        run = clustervo.load("run")
+        self.assertEqual(table["job"].tolist(), ["a"])  # the others have not run
+        self.assertEqual(table["unary.eta"][0], 0.5)
+        for name, value in run.metrics.items():
+            self.assertEqual(table[name][0], value)
 
 
 class Page(unittest.TestCase):

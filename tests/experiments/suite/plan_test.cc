@@ -130,15 +130,17 @@ TEST_F(SuitePlan, MissingInputIsReportedNotThrown) {
 
 TEST_F(SuitePlan, FindsAFolderByTheEndOfItsPath) {
   test::WriteTinySequence(data() / "deep" / "er" / "06", kFrames);
-  DataFolder folder(data());
-  EXPECT_EQ(folder.Find("06").folder, data() / "deep" / "er" / "06");
-  EXPECT_EQ(folder.Find("er/06").folder, data() / "deep" / "er" / "06");
-  EXPECT_EQ(folder.Find("deep/06").folder, "");
-  EXPECT_EQ(folder.Find("6").folder, "");
+  const auto found = [&](const std::string& folder) {
+    return Build(Parse(FolderSuite(folder))).plan.jobs.at(0);
+  };
+  EXPECT_EQ(found("06").folder, data() / "deep" / "er" / "06");
+  EXPECT_EQ(found("er/06").folder, data() / "deep" / "er" / "06");
+  EXPECT_EQ(found("deep/06").folder, "");
+  EXPECT_EQ(found("6").folder, "");
   // Labels without images, such as those of a drive stored in another layout, are not runnable.
   folder_.Write("data/training/image_02/none.txt", "");
   folder_.Write("data/training/calib/0003.txt", "");
-  EXPECT_EQ(folder.Find("training/0003").missing,
+  EXPECT_EQ(found("training/0003").missing,
             StrCat("no images of both cameras of training/0003 below ", data().string()));
 }
 
@@ -201,8 +203,8 @@ TEST_F(SuitePlan, RequestsScenesThatAreNotRendered) {
     EXPECT_EQ(job.frames, 3);
   }
   ASSERT_EQ(built.preparations.size(), 2U);
-  EXPECT_TRUE(built.preparations[0].stage == Stage::kDrawing);
-  EXPECT_FALSE(built.preparations[1].stage == Stage::kDrawing);
+  EXPECT_TRUE(built.preparations[0].draws);
+  EXPECT_FALSE(built.preparations[1].draws);
   EXPECT_NE(built.preparations[0].output, built.preparations[1].output);
   EXPECT_EQ(built.preparations[0].output.filename(), "tiny");
   EXPECT_THAT(
@@ -245,20 +247,25 @@ TEST_F(SuitePlan, TheJobOfARenderedSceneHasTheIdentityOfItsBytes) {
 
 TEST_F(SuitePlan, TheFolderOfASceneDependsOnItsContent) {
   if (CannotRender()) GTEST_SKIP() << "this build has no OSMesa";
-  SceneFolders scenes(cache());
-  SuiteSequence tiny = Parse(SmallSuite()).sequences[0];
-  const Preparation one = scenes.Find(tiny, {}, 1);
-  EXPECT_EQ(scenes.Find(tiny, {}, 1).output, one.output);
-  EXPECT_EQ(scenes.Find(tiny, {{"window.spatial", 3}}, 1).output, one.output);
-  const Preparation noise = scenes.Find(tiny, {}, 2);
-  EXPECT_NE(noise.output, one.output);
-  EXPECT_EQ(noise.drawing, one.drawing);
-  const Preparation detector = scenes.Find(tiny, {{"scene.detector.miss_rate", 0.5}}, 1);
-  EXPECT_NE(detector.output, one.output);
-  EXPECT_EQ(detector.drawing, one.drawing);
-  EXPECT_NE(scenes.Find(tiny, {{"scene.camera.height_m", 1.15}}, 1).drawing, one.drawing);
-  tiny.frames = "0:2";
-  EXPECT_NE(scenes.Find(tiny, {}, 1).drawing, one.drawing);
+  const auto scene = [&](const Json& changes) {
+    Json json = SmallSuite();
+    json.merge_patch(changes);
+    return Build(Parse(json)).preparations.at(0);
+  };
+  const auto with = [](const char* path, double value) {
+    return Json{{"grid", {{path, {value}}}}};
+  };
+  const Preparation one = scene(Json::object());
+  EXPECT_EQ(scene(Json::object()).output, one.output);
+  EXPECT_EQ(scene(with("window.spatial", 3)).output, one.output);
+  for (const Json& changes : {Json{{"seeds", {2}}}, with("scene.detector.miss_rate", 0.5)}) {
+    EXPECT_NE(scene(changes).output, one.output) << changes;
+    EXPECT_EQ(scene(changes).drawing, one.drawing) << changes;
+  }
+  EXPECT_NE(scene(with("scene.camera.height_m", 1.15)).drawing, one.drawing);
+  Json frames = SmallSuite();
+  frames["sequences"][0]["frames"] = "0:2";
+  EXPECT_NE(Build(Parse(frames)).preparations.at(0).drawing, one.drawing);
 }
 
 }  // namespace

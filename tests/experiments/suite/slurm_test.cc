@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::Contains;
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -233,11 +234,35 @@ TEST(SlurmEngine, GivesUpIfSlurmDoesNotRespond) {
               HasSubstr("Slurm does not respond: squeue: Unable to contact slurm"));
 }
 
+TEST(SlurmEngine, AsksTheClustersThatItSubmitsTo) {
+  const TempFolder temp;
+  const std::string log = (temp.path() / "log").string();
+  const auto script = [&](const std::string& name, const std::string& answer) {
+    return StrCat("#!/bin/sh\necho ", name, " \"$@\" >>", log, "\n", answer, "\n");
+  };
+  const Programs sbatch("sbatch", script("sbatch", "echo '7;far'"));
+  const Programs scancel("scancel", script("scancel", "touch " + log + ".cancelled"));
+  const Programs squeue("squeue",
+                        script("squeue",
+                               "for a; do case $a in --name=*) name=${a#--name=};; esac; done; "
+                               "[ -e " +
+                                   log + ".cancelled ] || echo \"$name|7|0|RUNNING\""));
+  SlurmOptions options;
+  options.folder = temp.path() / "slurm";
+  options.sbatch_flags = {"--clusters=far"};
+  EngineHooks hooks;
+  hooks.stop = [&] { return LinesOf(log) >= 2; };
+  const Task task{"task", {"/bin/true"}, "/dev/null"};
+  SlurmEngine(options).Run({&task, 1}, hooks);
+  for (const char* name : {"sbatch", "squeue", "scancel"}) {
+    EXPECT_THAT(ReadFile(log), ContainsRegex(StrCat(name, " [^\n]*--clusters=far"))) << name;
+  }
+}
+
 TEST(SlurmOptions, RefusesFlagsOfSeveralWords) {
   SlurmOptions options;
-  options.folder = "/shared";
   options.sbatch_flags = {"-p", "short"};
-  EXPECT_THAT(ErrorMessage([&] { options.Check(); }), HasSubstr("found short"));
+  EXPECT_THAT(ErrorMessage([&] { SlurmEngine engine(options); }), HasSubstr("found short"));
 }
 
 }  // namespace

@@ -1,22 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
+// Arrays of tasks for Slurm as folders: what each task runs, and how it ended.
 #include <stdlib.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <sstream>
-#include <thread>
 
-#include "core/base/lists.h"
+#include "core/base/error.h"
 #include "core/files/atomic_file.h"
 #include "core/files/json/json_record.h"
 #include "core/files/sha256.h"
@@ -24,24 +20,12 @@
 #include "experiments/suite/slurm.h"
 
 namespace cvo {
-
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 constexpr const char* kRecord = "array.json";
-constexpr double kMaxDelayS = 60.0;      // between two retries
-constexpr double kCommandLimitS = 60.0;  // a command that hangs longer is killed
-constexpr double kStopCheckIntervalS = 0.2;
 constexpr int kSignalBase = 128;  // what sh adds to a signal number
-
-// Quotes a text as one word of a POSIX shell, whatever bytes it contains.
-std::string ShellQuoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 // `timeout` runs in its own subshell, so that the memory limit applies to the task alone. A second
 // try may start while the first still runs on a node that Slurm gave up: each writes its own
@@ -89,14 +73,13 @@ std::string LastLine(std::istream& lines) {
   return last;
 }
 
-// What a command of Slurm complains about.
-std::string Complaint(const Captured& captured) {
-  std::istringstream lines(captured.err);
-  const std::string last = LastLine(lines);
-  return last.empty() ? "no answer" : last;
-}
-
 }  // namespace
+
+std::string ShellQuoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
 
 SlurmArray WriteSlurmArray(const fs::path& root, std::span<const Task> tasks) {
   std::error_code error;
@@ -169,114 +152,6 @@ TaskEnd EndByState(const SlurmArray& array, std::size_t number, const std::strin
   return {false, StrCat(state.empty() ? "left Slurm's queue without an exit code"
                                       : "ended by Slurm: " + state,
                         words.empty() ? "" : StrCat(" (", words, ")"))};
-}
-
-bool SlurmTask::IsAlive() const {
-  static constexpr std::array<const char*, 10> kEnded = {
-      "COMPLETED", "FAILED",    "CANCELLED", "TIMEOUT",  "OUT_OF_MEMORY",
-      "NODE_FAIL", "BOOT_FAIL", "PREEMPTED", "DEADLINE", "REVOKED"};
-  return std::find(kEnded.begin(), kEnded.end(), state) == kEnded.end();
-}
-
-namespace {
-
-double Since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::size_t ToCount(const std::string& text) {
-  std::istringstream in(text);
-  std::size_t count = 0;
-  in >> count;
-  return count;
-}
-
-std::vector<std::string> SbatchCommand(const SlurmArray& array,
-                                       const std::vector<std::string>& flags) {
-  std::vector<std::string> argv = {"sbatch", "--parsable"};
-  argv.insert(argv.end(), flags.begin(), flags.end());
-  std::string out;
-  for (const char c : (array.folder / "out").string()) out += c == '%' ? "%%" : std::string(1, c);
-  argv.insert(argv.end(), {"--job-name=" + array.name, "--requeue", "--open-mode=truncate",
-                           "--output=" + out + "/%a",
-                           "--wrap=exec sh " + ShellQuoted((array.folder / "tasks.sh").string())});
-  return argv;
-}
-
-}  // namespace
-
-SlurmClient::SlurmClient(double patience_s, EngineHooks hooks)
-    : patience_s_(patience_s), hooks_(std::move(hooks)) {}
-
-bool SlurmClient::Pause(double seconds) const {
-  const Clock::time_point start = Clock::now();
-  while (!hooks_.stop()) {
-    const double left_s = seconds - Since(start);
-    if (left_s <= 0.0) return true;
-    std::this_thread::sleep_for(
-        std::chrono::duration<double>(std::min(left_s, kStopCheckIntervalS)));
-  }
-  return false;
-}
-
-Captured SlurmClient::Ask(const std::vector<std::string>& argv) const {
-  const Clock::time_point start = Clock::now();
-  for (double delay_s = 1.0;; delay_s = std::min(2.0 * delay_s, kMaxDelayS)) {
-    const Clock::time_point asked = Clock::now();
-    const Captured captured = Capture(
-        argv, [&](const Captured&) { return Since(asked) > kCommandLimitS || hooks_.stop(); });
-    if (captured.exit_code == 0) {
-      if (delay_s > 1.0) hooks_.notice("slurm: responds again");
-      return captured;
-    }
-    const std::string words = StrCat(argv.front(), ": ", Complaint(captured));
-    if (delay_s == 1.0) hooks_.notice(StrCat("slurm: ", words, ": retrying"));
-    const double left_s = patience_s_ - Since(start);
-    if (left_s <= 0.0 || !Pause(std::min(delay_s, left_s))) {
-      throw SlurmUnreachable(StrCat("Slurm does not respond: ", words));
-    }
-  }
-}
-
-SlurmQueue SlurmClient::Queue(const std::vector<std::string>& names) const {
-  SlurmQueue queue;
-  if (names.empty()) return queue;
-  const Captured answer =
-      Ask({"squeue", "--noheader", "--array", "--states=all", StrCat("--user=", ::geteuid()),
-           "--name=" + Joined(names, ","), "--format=%j|%F|%K|%T"});
-  std::istringstream lines(answer.out);
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream fields(line);
-    std::string name;
-    std::string number;
-    SlurmTask task;
-    if (std::getline(fields, name, '|') && std::getline(fields, task.job, '|') &&
-        std::getline(fields, number, '|') && std::getline(fields, task.state)) {
-      queue[{name, ToCount(number)}] = task;
-    }
-  }
-  return queue;
-}
-
-SlurmSubmitted SlurmClient::Submit(const SlurmArray& array,
-                                   const std::vector<std::string>& flags) const {
-  // If the queue is full, sbatch itself would retry for minutes.
-  const Captured answer =
-      Capture(SbatchCommand(array, flags),
-              [start = Clock::now()](const Captured&) { return Since(start) > kCommandLimitS; });
-  if (answer.exit_code == 0) return {answer.out.substr(0, answer.out.find_first_of(";\n")), ""};
-  // The array may have been accepted even so, if only the answer was lost.
-  const SlurmQueue queue = Queue({array.name});
-  if (!queue.empty()) return {queue.begin()->second.job, ""};
-  return {"", Complaint(answer)};  // "sbatch: error: ..."
-}
-
-// That a task has ended meanwhile is no reason to try again.
-void SlurmClient::Cancel(const std::vector<std::string>& jobs) const {
-  if (jobs.empty()) return;
-  std::vector<std::string> argv = {"scancel", "--quiet"};
-  argv.insert(argv.end(), jobs.begin(), jobs.end());
-  Capture(argv, [start = Clock::now()](const Captured&) { return Since(start) > kCommandLimitS; });
 }
 
 }  // namespace cvo
