@@ -38,9 +38,15 @@ constexpr std::array<const char*, 7> EnumNames(Subject) {
 enum class PoseTime { kRefined, kCausal, kFile };
 constexpr std::array<const char*, 3> EnumNames(PoseTime) { return {"refined", "causal", "file"}; }
 
-enum class TruthSource { kNone, kDevkit, kOfficial, kFile, kScene, kLabels };
-constexpr std::array<const char*, 6> EnumNames(TruthSource) {
-  return {"none", "devkit", "official", "file", "rendered scene", "labels with 3D boxes"};
+enum class TruthSource { kNone, kDevkit, kVelocities, kOfficial, kFile, kScene, kLabels };
+constexpr std::array<const char*, 7> EnumNames(TruthSource) {
+  return {"none",
+          "devkit",
+          "devkit, positions by its velocities",
+          "official",
+          "file",
+          "rendered scene",
+          "labels with 3D boxes"};
 }
 
 // How a body is judged to be visible well enough: by the pixels of its mask and the unoccluded
@@ -158,6 +164,10 @@ enum class Aggregation {
   kMeanOfPositions,
   kMedianOfPositions,
   kMaximumOfPositions,
+  kRmsOfLateral,
+  kRmsOfVertical,
+  kRmsOfLongitudinal,
+  kAngleAtEnd,
   kMaximumOfTranslations,
   kMaximumOfAngle,
   kAngleOfLargest,
@@ -186,13 +196,17 @@ enum class Aggregation {
   kRmsOfDisparities,
   kMeanSquareOfClaimed
 };
-constexpr std::array<const char*, 32> EnumNames(Aggregation) {
+constexpr std::array<const char*, 36> EnumNames(Aggregation) {
   return {
       "fraction with an estimate",
       "root mean square of position errors",
       "mean of position errors",
       "median of position errors",
       "maximum of position errors",
+      "root mean square of position errors along x of the true camera",
+      "root mean square of position errors along y of the true camera",
+      "root mean square of position errors along z of the true camera",
+      "rotation angle of the motion from the first to the last frame",
       "maximum of translation errors; of several bodies their mean",
       "maximum of the absolute angle; of several bodies their mean",
       "absolute angle in the frame where roll, pitch and yaw are largest together; of several "

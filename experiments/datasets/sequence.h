@@ -137,6 +137,9 @@ struct Sequence {
   // Ground truth of the left camera of the pair; empty for frames without ground truth.
   std::string groundtruth;  // "devkit", "official" or "none"
   std::vector<std::optional<RigidTransform>> groundtruth_world_from_camera;
+  // The same attitudes, with positions integrated from measured velocities; empty if there are
+  // none.
+  std::vector<std::optional<RigidTransform>> velocity_world_from_camera;
   // The same ground truth at its own timestamps, in the clock of the images, over the whole
   // recording and in another world. Empty if the data set states it frame by frame.
   Trajectory truth_track;

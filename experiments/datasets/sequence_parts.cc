@@ -193,17 +193,18 @@ void AddTimes(const fs::path& file, std::vector<std::int64_t> times_ns, Sequence
   sequence.other_files.push_back(file);
 }
 
-void AddImuTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
-                 const RigidTransform& camera0_from_imu, Sequence& sequence) {
+std::vector<std::optional<RigidTransform>> CameraPoses(
+    const std::vector<std::optional<RigidTransform>>& imu_poses,
+    const RigidTransform& camera0_from_imu, const Sequence& sequence) {
   const RigidTransform left_from_camera0(Eigen::Quaterniond::Identity(),
                                          Eigen::Vector3d(sequence.left_offset_m, 0.0, 0.0));
   const RigidTransform left_from_imu = left_from_camera0 * camera0_from_imu;
   const RigidTransform imu_from_left = left_from_imu.Inverse();
-  sequence.groundtruth_world_from_camera.clear();
+  std::vector<std::optional<RigidTransform>> poses;
   for (const std::optional<RigidTransform>& pose : imu_poses) {
-    sequence.groundtruth_world_from_camera.push_back(
-        pose ? std::optional(left_from_imu * *pose * imu_from_left) : std::nullopt);
+    poses.push_back(pose ? std::optional(left_from_imu * *pose * imu_from_left) : std::nullopt);
   }
+  return poses;
 }
 
 void AddBoxes(const SequenceRequest& request, Sequence& sequence) {
@@ -311,6 +312,7 @@ void CutFrames(const SequenceRequest& request, Sequence& sequence) {
   Cut(range, sequence.images);
   Cut(range, sequence.timestamps_ns);
   Cut(range, sequence.groundtruth_world_from_camera);
+  if (!sequence.velocity_world_from_camera.empty()) Cut(range, sequence.velocity_world_from_camera);
   CutBoxes(range, sequence.labels);
   CutBoxes(range, sequence.detections);
 }

@@ -62,9 +62,10 @@ void AddImages(const CameraPair& pair, const CameraRig& rig, Sequence& sequence)
 void AddTimes(const std::filesystem::path& file, std::vector<std::int64_t> times_ns,
               Sequence& sequence);
 
-// Sets the ground truth from poses of the IMU, empty or imu_0_from_imu_i, one per frame.
-void AddImuTruth(const std::vector<std::optional<RigidTransform>>& imu_poses,
-                 const RigidTransform& camera0_from_imu, Sequence& sequence);
+// Returns world_from_camera of the left camera for poses of the IMU, empty or imu_0_from_imu_i.
+std::vector<std::optional<RigidTransform>> CameraPoses(
+    const std::vector<std::optional<RigidTransform>>& imu_poses,
+    const RigidTransform& camera0_from_imu, const Sequence& sequence);
 
 // AddBoxes reads the requested boxes. CutFrames then cuts everything to the requested frames.
 struct LabelSource {

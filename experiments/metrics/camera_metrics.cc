@@ -46,7 +46,15 @@ Metric Coverage(const Frames& frames) {
 }
 
 void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
-  const std::vector<double> errors = AlignedPositionErrors(poses);
+  const Eigen::Matrix3Xd offsets = AlignedPositionErrors(poses);
+  std::vector<double> errors;
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();  // in the axes of the true camera
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::Vector3d offset = offsets.col(static_cast<Eigen::Index>(i));
+    errors.push_back(offset.norm());
+    squares += (poses.truth[i].rotation().conjugate() * offset).cwiseAbs2();
+  }
+  const Eigen::Vector3d parts = (squares / static_cast<double>(poses.size())).cwiseSqrt();
   const auto add = [&](MetricId id, double value) {
     metrics.push_back(frames.Make(id, value, frames.common));
   };
@@ -54,6 +62,17 @@ void AddAte(const CommonPoses& poses, const Frames& frames, std::vector<Metric>&
   add(kCameraAteMean, MeanOf(errors));
   add(kCameraAteMedian, Median(errors));
   add(kCameraAteMax, *std::max_element(errors.begin(), errors.end()));
+  add(kCameraAteLateral, parts.x());
+  add(kCameraAteVertical, parts.y());
+  add(kCameraAteLongitudinal, parts.z());
+}
+
+void AddEndRotation(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
+  const auto turn = [](const std::vector<RigidTransform>& of) {
+    return of.front().rotation().conjugate() * of.back().rotation();
+  };
+  metrics.push_back(frames.Make(
+      kCameraEndRotation, turn(poses.truth).angularDistance(turn(poses.estimate)), frames.common));
 }
 
 void AddRpe(const CommonPoses& poses, const Frames& frames, std::vector<Metric>& metrics) {
@@ -119,6 +138,7 @@ std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPos
   if (frames.with_truth > 0) metrics.push_back(Coverage(frames));
   if (frames.common < 2) return metrics;
   AddAte(poses, frames, metrics);
+  AddEndRotation(poses, frames, metrics);
   AddRpe(poses, frames, metrics);
   if (const auto drift = ComputeKittiDrift(truth, estimate)) AddDrift(*drift, frames, metrics);
   AddPathError(poses, frames, metrics);
@@ -126,6 +146,24 @@ std::vector<Metric> EvaluateCamera(const OptionalPoses& truth, const OptionalPos
   for (const Metric& metric : metrics) {
     if (!std::isfinite(metric.value)) ThrowError(metric.name, "an overflow", "a finite number");
   }
+  return metrics;
+}
+
+std::vector<Metric> CompareTruths(const OptionalPoses& truth, const OptionalPoses& by_velocities,
+                                  const OptionalPoses& estimate) {
+  std::vector<Metric> metrics;
+  const auto add = [&](MetricId id, const OptionalPoses& of) {
+    const CommonPoses poses = FindCommonPoses(by_velocities, of);
+    if (poses.size() < 2) return;
+    metrics.push_back(MakeMetric(
+        {id}, AlignedPositionErrors(poses).norm() / std::sqrt(static_cast<double>(poses.size())),
+        static_cast<std::int64_t>(poses.size())));
+    metrics.back().contract.subject = reports::Subject::kCamera;
+    metrics.back().contract.truth = reports::TruthSource::kVelocities;
+    metrics.back().left_out = StrCat(by_velocities.size() - poses.size(), " frames without both");
+  };
+  add(kCameraAteVelocity, estimate);
+  add(kCameraTruthGap, truth);
   return metrics;
 }
 

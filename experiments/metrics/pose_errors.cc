@@ -184,14 +184,14 @@ CommonPoses FindCommonPoses(const OptionalPoses& truth, const OptionalPoses& est
   return common;
 }
 
-std::vector<double> AlignedPositionErrors(const CommonPoses& poses) {
-  if (poses.size() == 0) return {};
+Eigen::Matrix3Xd AlignedPositionErrors(const CommonPoses& poses) {
+  Eigen::Matrix3Xd errors(3, static_cast<Eigen::Index>(poses.size()));
+  if (poses.size() == 0) return errors;
   const Eigen::Matrix3Xd truth = Positions(poses.truth);
   const Eigen::Matrix3Xd estimate = Positions(poses.estimate);
   const RigidTransform truth_from_estimate = AlignPoints(estimate, truth);
-  std::vector<double> errors;
   for (Eigen::Index i = 0; i < truth.cols(); ++i) {
-    errors.push_back((truth_from_estimate * estimate.col(i) - truth.col(i)).norm());
+    errors.col(i) = truth_from_estimate * estimate.col(i) - truth.col(i);
   }
   return errors;
 }

@@ -47,8 +47,9 @@ CommonPoses FindCommonPoses(const OptionalPoses& truth, const OptionalPoses& est
 // Positions of the poses, one per column.
 Eigen::Matrix3Xd Positions(const std::vector<RigidTransform>& poses);
 
-// Position errors (m) after the SE(3) alignment of the estimated positions to the true ones.
-std::vector<double> AlignedPositionErrors(const CommonPoses& poses);
+// Position errors (m) after the SE(3) alignment of the estimated positions to the true ones, one
+// per column.
+Eigen::Matrix3Xd AlignedPositionErrors(const CommonPoses& poses);
 
 // Root mean squares of E = (G_i^-1 G_j)^-1 (P_i^-1 P_j) over pairs of frames.
 struct RelativeErrors {

@@ -28,7 +28,8 @@ void Append(std::vector<Metric> from, reports::PoseTime poses, const Sequence& s
 // those that have no such form.
 void NameCausal(std::vector<Metric>& metrics) {
   std::erase_if(metrics, [](const Metric& metric) {
-    return reports::MaxDriftIndex(reports::FindForm(metric.name).value().id).has_value();
+    const reports::MetricId id = reports::FindForm(metric.name).value().id;
+    return id == reports::MetricId::kCameraTruthGap || reports::MaxDriftIndex(id).has_value();
   });
   for (Metric& metric : metrics) {
     reports::MetricForm form = reports::FindForm(metric.name).value();
@@ -84,6 +85,12 @@ PoseScores ScorePoses(const Sequence& sequence, const ObjectTruth* objects,
       EvaluateCamera(sequence.groundtruth_world_from_camera, estimate.world_from_camera,
                      EnumOf<reports::TruthSource>(sequence.groundtruth)),
       {}};
+  if (!sequence.velocity_world_from_camera.empty()) {
+    std::vector<Metric> of_truths =
+        CompareTruths(sequence.groundtruth_world_from_camera, sequence.velocity_world_from_camera,
+                      estimate.world_from_camera);
+    std::move(of_truths.begin(), of_truths.end(), std::back_inserter(scores.metrics));
+  }
   if (objects == nullptr) return scores;
   ObjectScores of_objects = ScoreObjects(*objects, estimate);
   std::vector<Metric> metrics = ObjectMetrics(*objects, of_objects);

@@ -57,8 +57,13 @@ constexpr std::size_t kColumns = 30;
 OxtsPacket ReadPacket(const TextRow& row) {
   row.ExpectColumns(kColumns, "an OxTS packet");
   for (std::size_t i = 0; i < kColumns; ++i) row.Number(i);
-  const OxtsPacket packet = {row.Number(0), row.Number(1), row.Number(2),
-                             row.Number(3), row.Number(4), row.Number(5)};
+  const OxtsPacket packet = {row.Number(0),
+                             row.Number(1),
+                             row.Number(2),
+                             row.Number(3),
+                             row.Number(4),
+                             row.Number(5),
+                             {row.Number(7), row.Number(6), row.Number(10)}};
   constexpr double kMaxLatitude_deg = 85.0;  // the Mercator projection diverges at the poles
   if (std::abs(packet.latitude_deg) > kMaxLatitude_deg || std::abs(packet.longitude_deg) > 180.0) {
     row.Fail(StrCat("latitude ", packet.latitude_deg, " and longitude ", packet.longitude_deg),
@@ -78,6 +83,13 @@ Eigen::Vector3d MercatorPosition(const OxtsPacket& packet, double scale) {
   return {scale * packet.longitude_deg * kPi * kEarthRadius_m / 180.0,
           scale * kEarthRadius_m * std::log(std::tan((90.0 + packet.latitude_deg) * kPi / 360.0)),
           packet.altitude_m};
+}
+
+// earth_from_imu, with axes east, north and up.
+Eigen::Quaterniond Attitude(const OxtsPacket& packet) {
+  return Eigen::AngleAxisd(packet.yaw_rad, Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(packet.pitch_rad, Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(packet.roll_rad, Eigen::Vector3d::UnitX());
 }
 
 }  // namespace
@@ -261,16 +273,24 @@ std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets) {
   const double scale = std::cos(packets[0].latitude_deg * std::numbers::pi / 180.0);
   const Eigen::Vector3d origin = MercatorPosition(packets[0], scale);
   for (const OxtsPacket& packet : packets) {
-    const Eigen::Quaterniond rotation =
-        Eigen::AngleAxisd(packet.yaw_rad, Eigen::Vector3d::UnitZ()) *
-        Eigen::AngleAxisd(packet.pitch_rad, Eigen::Vector3d::UnitY()) *
-        Eigen::AngleAxisd(packet.roll_rad, Eigen::Vector3d::UnitX());
     // The first position is subtracted before any product, so that its large coordinates cost no
     // digits.
-    poses.emplace_back(rotation, MercatorPosition(packet, scale) - origin);
+    poses.emplace_back(Attitude(packet), MercatorPosition(packet, scale) - origin);
   }
   const RigidTransform first_from_world = poses[0].Inverse();
   for (RigidTransform& pose : poses) pose = first_from_world * pose;
+  return poses;
+}
+
+std::vector<RigidTransform> ImuPosesByVelocity(const std::vector<OxtsPacket>& packets,
+                                               const std::vector<std::int64_t>& times_ns) {
+  std::vector<RigidTransform> poses = ImuPoses(packets);
+  Eigen::Vector3d moved_m = Eigen::Vector3d::Zero();  // east, north, up
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    moved_m += 0.5e-9 * static_cast<double>(times_ns[i] - times_ns[i - 1]) *
+               (packets[i - 1].velocity_m_s + packets[i].velocity_m_s);
+    poses[i] = RigidTransform(poses[i].rotation(), Attitude(packets[0]).conjugate() * moved_m);
+  }
   return poses;
 }
 

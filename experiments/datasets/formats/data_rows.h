@@ -86,6 +86,7 @@ struct OxtsPacket {
   double roll_rad = 0.0;
   double pitch_rad = 0.0;
   double yaw_rad = 0.0;
+  Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();  // east, north, up
 };
 
 // Read one packet per file (KITTI raw) or one per line (KITTI tracking). Each must have 30 finite
@@ -96,5 +97,10 @@ std::vector<OxtsPacket> ReadOxtsPackets(const std::filesystem::path& path);
 // Returns imu_0_from_imu_i, computed as by the devkit's convertOxtsToPose, with a Mercator
 // projection whose scale is that of the first packet's latitude.
 std::vector<RigidTransform> ImuPoses(const std::vector<OxtsPacket>& packets);
+
+// The same with the positions integrated from the velocities, by the trapezoidal rule between the
+// packets' times: what the unit measured beside its positions.
+std::vector<RigidTransform> ImuPosesByVelocity(const std::vector<OxtsPacket>& packets,
+                                               const std::vector<std::int64_t>& times_ns);
 
 }  // namespace cvo

@@ -60,7 +60,7 @@ void AddOdometryTruth(Sequence& sequence) {
   }
   std::vector<std::optional<RigidTransform>> truth(poses.begin(), poses.end());
   truth.resize(frames);
-  AddImuTruth(truth, RigidTransform(), sequence);
+  sequence.groundtruth_world_from_camera = CameraPoses(truth, RigidTransform(), sequence);
   sequence.groundtruth = "official";
 }
 
@@ -125,7 +125,8 @@ void AddOxtsTruth(const std::vector<OxtsPacket>& packets, const fs::path& where,
                StrCat(sequence.images.size(), ", as many as images"));
   }
   const std::vector<RigidTransform> poses = ImuPoses(packets);
-  AddImuTruth({poses.begin(), poses.end()}, camera0_from_imu, sequence);
+  sequence.groundtruth_world_from_camera =
+      CameraPoses({poses.begin(), poses.end()}, camera0_from_imu, sequence);
   sequence.groundtruth = "devkit";
 }
 
@@ -175,8 +176,19 @@ void AddRawTruth(const fs::path& date_folder, const CalibrationFile& cameras, Se
     packets.push_back(ReadOxtsPacket(path));
     sequence.other_files.push_back(path);
   }
-  AddOxtsTruth(packets, oxts_folder / "data", ReadCamera0FromImu(date_folder, cameras, sequence),
-               sequence);
+  const RigidTransform camera0_from_imu = ReadCamera0FromImu(date_folder, cameras, sequence);
+  AddOxtsTruth(packets, oxts_folder / "data", camera0_from_imu, sequence);
+  const fs::path times_file = oxts_folder / "timestamps.txt";
+  if (!fs::exists(times_file)) return;
+  sequence.other_files.push_back(times_file);
+  const std::vector<std::int64_t> times_ns = ReadDateTimes(times_file);
+  if (times_ns.size() != packets.size()) {
+    ThrowError(times_file.string(), StrCat(times_ns.size(), " times"),
+               StrCat(packets.size(), ", as many as packets"));
+  }
+  const std::vector<RigidTransform> poses = ImuPosesByVelocity(packets, times_ns);
+  sequence.velocity_world_from_camera =
+      CameraPoses({poses.begin(), poses.end()}, camera0_from_imu, sequence);
 }
 
 CameraFolders RawFolders(const fs::path& folder) {
