@@ -11,26 +11,15 @@ namespace cvo::reports {
 // A chart as plain data, and the function that writes it as SVG. Texts are plain; they are escaped
 // when they are written. A coordinate that is not finite is a gap.
 
-enum class Symbol {
-  kNone,
-  kCircle,
-  kSquare,
-  kDiamond,
-  kTriangleUp,
-  kPlus,
-  kTriangleDown,
-  kPentagon,
-  kHexagon,
-  kCross
-};
+enum class Symbol { kNone, kCircle, kSquare, kDiamond, kTriangle };
 
 // How a mark looks.
 struct Look {
   int colour = 1;  // 1 to kChartColours of the palette; 0: the grey of truth and references
   Symbol symbol = Symbol::kNone;
-  int dash = 0;        // 0: solid; 1: dashes; 2: dash and dot; 3: long dashes; 4: dots
-  double width = 1.0;  // of lines (pt)
-  double opacity = 1.0;
+  int dash = 0;          // 0: solid; 1: dashes; 2: dash and dot; 3: long dashes; 4: dots
+  double width = 1.0;    // of lines (pt)
+  double opacity = 1.0;  // of fills
 };
 
 inline constexpr int kChartColours = 8;
@@ -67,13 +56,6 @@ struct Series {
 // A region behind the data from the bottom of the panel to its top.
 using Shade = ValueRange;
 
-// A straight line across the panel at one x (or y), with a text at its end.
-struct Rule {
-  double at = 0.0;
-  bool vertical = true;
-  std::string text = {};
-};
-
 enum class AxisScale { kLinear, kLog, kCategory };
 
 struct Axis {
@@ -93,16 +75,17 @@ struct Panel {
   Axis y;
   std::vector<Series> series = {};  // later ones cover earlier ones
   std::vector<Shade> shades = {};
-  std::vector<Rule> rules = {};
-  double aspect = 0.25;      // height / width; not of a panel with categories on y
-  bool equal_scale = false;  // one unit is as long on y as on x; `aspect` is then a limit
+  std::optional<double> rule = {};  // a dotted line from top to bottom at this x
+  std::string rule_text = {};       // above it
+  double aspect = 0.25;             // height / width; not of a panel with categories on y
+  bool equal_scale = false;         // one unit is as long on y as on x; `aspect` is then a limit
 };
 
 struct Chart {
   std::string title;    // drawn above in bold if not empty, the first sentence alone
   std::string caption;  // drawn below if not empty
   std::vector<Panel> panels;
-  int columns = 1;       // panels are laid out row by row
+  int columns = 1;       // at most; panels are laid out row by row
   bool share_x = false;  // panels with the same x title have the same range, labelled once a column
   bool share_y = false;  // the same for y, labelled in the first column
   double width = 1.0;    // as a part of ChartStyle::width_mm
@@ -112,7 +95,8 @@ struct ChartStyle {
   double width_mm = 170.0;
   std::string font = "Liberation Sans, Arial, Helvetica, sans-serif";
   double font_size_pt = 8.0;
-  bool css = true;  // false: the page has ChartCss in its own style
+  bool texts = true;  // whether files of figures have their title and caption
+  bool css = true;    // false: the page has ChartCss in its own style
 };
 
 // An <svg> element, alone a file that is right on white paper. It has no ids, and its classes begin

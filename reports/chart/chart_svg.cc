@@ -5,18 +5,25 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
-#include "reports/chart/chart_layout.h"
+#include "reports/chart/chart_axes.h"
 
 namespace cvo::reports {
 namespace {
+
+constexpr double kPointsPerMillimetre = 72.0 / 25.4;
+constexpr double kSample = 2.0;  // length of a line in the legend (em)
 
 // The grey of the truth, then the colours of Okabe and Ito, which colour-blind people can tell
 // apart, and two more.
 constexpr std::array kColours = {"#8a8a8a", "#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                  "#e69f00", "#56b4e9", "#a0892c", "#7a5195"};
 constexpr std::array kDashes = {"", "5 3", "5 2 1 2", "9 3", "1 2.5"};  // in line widths
+// Symbols of radius 1.
+constexpr std::array kSymbols = {"", "M-1 0a1 1 0 1 0 2 0a1 1 0 1 0-2 0Z", "M-.9-.9H.9V.9H-.9Z",
+                                 "M0-1.3L1.3 0L0 1.3L-1.3 0Z", "M0-1.2L1.15.85H-1.15Z"};
 
 // A number with two decimals at most.
 std::string Num(double value) {
@@ -34,62 +41,51 @@ std::string Fill(int colour, double opacity) {
                 opacity < 1.0 ? StrCat(" fill-opacity=\"", Num(opacity), "\"") : "");
 }
 
-std::string Stroke(const Look& look, double width) {
+std::string Stroke(const Look& look) {
   std::string text = StrCat(" class=\"chart-s", look.colour, "\" fill=\"none\" stroke=\"",
                             kColours.at(static_cast<std::size_t>(look.colour)),
-                            "\" stroke-width=\"", Num(width), "\"");
-  if (look.opacity < 1.0) text += StrCat(" stroke-opacity=\"", Num(look.opacity), "\"");
+                            "\" stroke-width=\"", Num(look.width), "\"");
   if (look.dash > 0) {
     text += StrCat(" stroke-dasharray=\"", kDashes.at(static_cast<std::size_t>(look.dash)), "\"");
   }
   return text;
 }
 
-// Symbols of radius 1. The last one is a stroke.
-constexpr std::array kSymbols = {"",
-                                 "M-1 0a1 1 0 1 0 2 0a1 1 0 1 0-2 0Z",
-                                 "M-.9-.9H.9V.9H-.9Z",
-                                 "M0-1.3L1.3 0L0 1.3L-1.3 0Z",
-                                 "M0-1.2L1.15.85H-1.15Z",
-                                 "M-.4-1.2H.4V-.4H1.2V.4H.4V1.2H-.4V.4H-1.2V-.4H-.4Z",
-                                 "M0 1.2L1.15-.85H-1.15Z",
-                                 "M0-1.15L1.09-.36L.68.93H-.68L-1.09-.36Z",
-                                 "M1.15 0L.58 1H-.58L-1.15 0L-.58-1H.58Z",
-                                 "M-1.2-1.2L1.2 1.2M-1.2 1.2L1.2-1.2"};
-
 std::string Text(const std::string& text) { return HtmlEscaped(Printable(text)); }
-
-// The end of an element that may have a tooltip.
-std::string End(const char* element, const std::string& tip) {
-  return tip.empty() ? "/>" : StrCat("><title>", Text(tip), "</title></", element, ">");
-}
-
-struct Box {
-  double left, top, right, bottom;
-};
 
 class SvgWriter {
  public:
   SvgWriter(const Chart& chart, const ChartStyle& style)
-      : chart_(chart), style_(style), layout_(LayOut(chart, style)), em_(layout_.em) {}
+      : chart_(chart),
+        style_(style),
+        em_(style.font_size_pt),
+        width_(chart.width * style.width_mm * kPointsPerMillimetre) {
+    // As many columns as leave room for labels and numbers.
+    constexpr double kNarrowest = 14.0;  // em
+    columns_ = static_cast<std::size_t>(
+        std::clamp(static_cast<int>(width_ / (kNarrowest * em_)), 1, chart.columns));
+  }
 
   std::string Write() {
-    constexpr double kMillimetres = 25.4 / 72.0;
-    out_ = StrCat("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" role=\"img\"",
+    if (!chart_.title.empty()) {
+      // The first sentence says what is shown, the rest how it is measured.
+      const std::size_t end = std::min(chart_.title.find(". "), chart_.title.size());
+      Lines(chart_.title.substr(0, end), 0.9, " font-weight=\"bold\"");
+      if (end < chart_.title.size()) Lines(chart_.title.substr(end + 2), 1.0);
+      y_ += 0.5 * em_;
+    }
+    Legend();
+    places_ = PlacePanels(chart_, columns_, width_, em_);
+    for (std::size_t i = 0; i < places_.size(); i += columns_) DrawRow(i);
+    Lines(chart_.caption, 1.0);
+    const double height = y_ + 0.4 * em_;
+    return StrCat("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\" role=\"img\"",
                   chart_.title.empty() ? "" : StrCat(" aria-label=\"", Text(chart_.title), "\""),
-                  " width=\"", Num(kMillimetres * layout_.width), "mm\" height=\"",
-                  Num(kMillimetres * layout_.height), "mm\" viewBox=\"0 0 ", Num(layout_.width),
-                  " ", Num(layout_.height), "\" font-family=\"", Text(style_.font),
-                  "\" font-size=\"", Num(em_), "\" fill=\"#222222\">\n");
-    if (style_.css) out_ += StrCat("<style>", ChartCss(), "</style>\n");
-    for (const ChartText& line : layout_.texts) {
-      Put(line.x, line.y, line.text, line.bold ? " font-weight=\"bold\"" : "");
-    }
-    for (const LegendEntry& entry : layout_.legend) Legend(entry);
-    for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
-      Draw(chart_.panels[i], layout_.panels[i]);
-    }
-    return out_ + "</svg>\n";
+                  " width=\"", Num(width_ / kPointsPerMillimetre), "mm\" height=\"",
+                  Num(height / kPointsPerMillimetre), "mm\" viewBox=\"0 0 ", Num(width_), " ",
+                  Num(height), "\" font-family=\"", Text(style_.font), "\" font-size=\"", Num(em_),
+                  "\" fill=\"#222222\">\n",
+                  style_.css ? StrCat("<style>", ChartCss(), "</style>\n") : "", out_, "</svg>\n");
   }
 
  private:
@@ -98,165 +94,208 @@ class SvgWriter {
     out_ += StrCat("<text x=\"", Num(x), "\" y=\"", Num(y), "\"", attributes, ">", Text(text),
                    "</text>\n");
   }
+  void Lines(const std::string& text, double part, const std::string& attributes = "") {
+    for (const std::string& line : WrapText(text, part * width_, em_)) {
+      y_ += kLineHeight * em_;
+      Put(0.0, y_ - 0.3 * em_, line, attributes);
+    }
+  }
   void Line(double x1, double y1, double x2, double y2) {
     out_ += StrCat("<path d=\"M", Num(x1), " ", Num(y1), "L", Num(x2), " ", Num(y2), "\"/>\n");
   }
-  void Rect(const Box& box, const std::string& attributes, const std::string& tip = "") {
+  void Rect(const Box& box, const std::string& attributes) {
     out_ += StrCat("<rect x=\"", Num(box.left), "\" y=\"", Num(box.top), "\" width=\"",
                    Num(box.right - box.left), "\" height=\"", Num(box.bottom - box.top), "\"",
-                   attributes, End("rect", tip), "\n");
+                   attributes, "/>\n");
   }
   // A symbol; with no symbol an invisible disc that has the tooltip.
   void Mark(const Look& look, double x, double y, const std::string& tip) {
-    const bool open = look.symbol == Symbol::kCross;
     const bool hidden = look.symbol == Symbol::kNone;
-    const Look thin{look.colour, look.symbol, 0, 0.4, look.opacity};
     const auto shape = static_cast<std::size_t>(hidden ? Symbol::kCircle : look.symbol);
-    out_ += StrCat("<path transform=\"translate(", Num(x), " ", Num(y), ")scale(",
-                   Num((hidden ? 0.5 : 0.32) * em_), ")\"",
-                   open ? Stroke(thin, thin.width) : Fill(look.colour, hidden ? 0.0 : look.opacity),
-                   " d=\"", kSymbols.at(shape), "\"", End("path", tip), "\n");
-  }
-  void Legend(const LegendEntry& entry) {
-    const Look& look = entry.series->look;
-    const SeriesKind kind = entry.series->kind;
-    const double end = entry.x + kSample * em_;
-    if (kind == SeriesKind::kBand) {
-      Rect({entry.x, entry.y - 0.4 * em_, end, entry.y + 0.4 * em_},
-           Fill(look.colour, look.opacity));
-    } else if (kind == SeriesKind::kLine) {
-      out_ += StrCat("<g", Stroke(look, look.width), ">\n");
-      Line(entry.x, entry.y, end, entry.y);
-      out_ += "</g>\n";
-    }
-    if (look.symbol != Symbol::kNone) Mark(look, 0.5 * (entry.x + end), entry.y, "");
-    Put(end + 0.5 * em_, entry.y + 0.35 * em_, entry.series->name);
+    out_ +=
+        StrCat("<path transform=\"translate(", Num(x), " ", Num(y), ")scale(",
+               Num((hidden ? 0.5 : 0.32) * em_), ")\"",
+               Fill(look.colour, hidden ? 0.0 : look.opacity), " d=\"", kSymbols.at(shape), "\"",
+               tip.empty() ? "/>" : StrCat("><title>", Text(tip), "</title></path>"), "\n");
   }
 
-  void Draw(const Panel& panel, const PanelPlace& place) {
-    panel_ = {place.left, place.top, place.left + place.width, place.top + place.height};
+  void Legend() {
+    std::vector<std::string> names;
+    double x = 0.0;
+    for (const Panel& panel : chart_.panels) {
+      for (const Series& series : panel.series) {
+        if (series.name.empty() || FindBy(names, std::identity(), series.name)) continue;
+        names.push_back(series.name);
+        const double width = TextWidth(series.name, em_) + (kSample + 2.0) * em_;
+        if (x > 0.0 && x + width > width_ + 1.5 * em_) {
+          x = 0.0;
+          y_ += 1.4 * em_;
+        }
+        LegendEntry(series, x, y_ + 0.7 * em_);
+        x += width;
+      }
+    }
+    if (!names.empty()) y_ += 2.0 * em_;
+  }
+  void LegendEntry(const Series& series, double x, double y) {
+    const Look& look = series.look;
+    const double end = x + kSample * em_;
+    if (series.kind == SeriesKind::kLine) {
+      out_ += StrCat("<g", Stroke(look), ">\n");
+      Line(x, y, end, y);
+      out_ += "</g>\n";
+    }
+    if (look.symbol != Symbol::kNone) Mark(look, 0.5 * (x + end), y, "");
+    Put(end + 0.5 * em_, y + 0.35 * em_, series.name);
+  }
+
+  void DrawRow(std::size_t first) {
+    const std::size_t end = std::min(first + columns_, places_.size());
+    double above = 0.6;  // em
+    double below = 1.0;
+    double height = 0.0;
+    for (std::size_t i = first; i < end; ++i) {
+      const Panel& panel = chart_.panels[i];
+      const Place& place = places_[i];
+      height = std::max(height, place.height);
+      const auto lines = [&](const std::string& text) {
+        return kLineHeight * static_cast<double>(WrapText(text, place.width, em_).size());
+      };
+      above = std::max(above, lines(panel.title) + 0.4);
+      if (!panel.rule_text.empty()) above = std::max(above, kLineHeight + 0.4);
+      if (place.labels_x) below = std::max(below, kLineHeight + 0.9 + lines(panel.x.title));
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      Place& place = places_[i];
+      const double top = y_ + above * em_;
+      place.box = {place.left, top, place.left + place.width, top + place.height};
+      place.x.place = {place.box.left, place.box.right};
+      place.y.place = {place.box.bottom, place.box.top};
+      Draw(chart_.panels[i], place);
+    }
+    y_ += (above + below) * em_ + height;
+  }
+
+  void Draw(const Panel& panel, const Place& place) {
     Background(panel, place);
-    texts_.clear();
+    covered_.clear();
     for (const Series& series : panel.series) DrawSeries(series, place);
     for (const Series& series : panel.series) {
       for (const Datum& datum : series.data) {
-        if (datum.text.empty() || !Holds(datum, place)) continue;
-        PlaceText(datum, place);
+        if (!datum.text.empty() && Holds(datum, place)) PlaceText(datum, place);
       }
     }
     Axes(panel, place);
   }
 
-  void Background(const Panel& panel, const PanelPlace& place) {
+  void Background(const Panel& panel, const Place& place) {
+    const Box& box = place.box;
     for (const Shade& shade : panel.shades) {
-      Rect({place.x.Of(shade.low), panel_.top, place.x.Of(shade.high), panel_.bottom},
+      Rect({place.x.Of(shade.low), box.top, place.x.Of(shade.high), box.bottom},
            " class=\"chart-shade\" fill=\"#dddddd\" fill-opacity=\"0.6\"");
     }
     out_ += "<g class=\"chart-grid\" fill=\"none\" stroke=\"#dddddd\" stroke-width=\"0.5\">\n";
     for (const Tick& tick : place.x.ticks) {
-      const double x = place.x.Of(tick.value);
-      Line(x, panel_.top, x, panel_.bottom);
+      Line(place.x.Of(tick.value), box.top, place.x.Of(tick.value), box.bottom);
     }
     for (const Tick& tick : place.y.ticks) {
       const double y = place.y.Of(tick.value);
-      if (place.y.kind != AxisScale::kCategory) Line(panel_.left, y, panel_.right, y);
+      if (place.y.kind != AxisScale::kCategory) Line(box.left, y, box.right, y);
     }
     out_ += "</g>\n";
-    for (const Rule& rule : panel.rules) {
-      const double at = rule.vertical ? place.x.Of(rule.at) : place.y.Of(rule.at);
-      out_ += StrCat("<g", Stroke({0, Symbol::kNone, 4}, 1.0), ">\n");
-      if (rule.vertical) Line(at, panel_.top, at, panel_.bottom);
-      if (!rule.vertical) Line(panel_.left, at, panel_.right, at);
-      out_ += "</g>\n";
-      if (!rule.text.empty()) {
-        // Above the line, or as near to it as fits.
-        const double half = 0.5 * TextWidth(rule.text, em_);
-        const double x = rule.vertical ? std::min(at, panel_.right - half) : panel_.right - half;
-        Put(x, (rule.vertical ? panel_.top : at) - 0.4 * em_, rule.text, " text-anchor=\"middle\"");
-      }
-    }
+    if (!panel.rule) return;
+    const double at = place.x.Of(*panel.rule);
+    out_ += StrCat("<g", Stroke({0, Symbol::kNone, 4}), ">\n");
+    Line(at, box.top, at, box.bottom);
+    out_ += "</g>\n";
+    Put(std::min(at, box.right - 0.5 * TextWidth(panel.rule_text, em_)), box.top - 0.4 * em_,
+        panel.rule_text, " text-anchor=\"middle\"");
   }
 
-  void Axes(const Panel& panel, const PanelPlace& place) {
+  void Axes(const Panel& panel, const Place& place) {
+    const Box& box = place.box;
     out_ += StrCat("<path class=\"chart-axis\" fill=\"none\" stroke=\"#222222\" d=\"M",
-                   Num(panel_.left), " ", Num(panel_.top), "V", Num(panel_.bottom), "H",
-                   Num(panel_.right), "\" stroke-width=\"0.7\"/>\n");
-    Put(panel_.left, panel_.top - 0.5 * em_, panel.title, " font-weight=\"bold\"");
+                   Num(box.left), " ", Num(box.top), "V", Num(box.bottom), "H", Num(box.right),
+                   "\" stroke-width=\"0.7\"/>\n");
+    const std::vector<std::string> title = WrapText(panel.title, place.width, em_);
+    double y = box.top - 0.5 * em_ - kLineHeight * em_ * static_cast<double>(title.size());
+    for (const std::string& line : title) {
+      Put(box.left, y += kLineHeight * em_, line, " font-weight=\"bold\"");
+    }
     if (place.labels_x) AxisX(panel, place);
     if (place.labels_y) AxisY(panel, place);
   }
 
-  void AxisX(const Panel& panel, const PanelPlace& place) {
+  void AxisX(const Panel& panel, const Place& place) {
     double free = -1e9;  // where the label before ends
     for (const Tick& tick : place.x.ticks) {
-      const double x = place.x.Of(tick.value);
       const double half = 0.5 * TextWidth(tick.label, em_);
+      const double x = std::min(place.x.Of(tick.value), width_ - half);
       if (x - half < free) continue;
       free = x + half + 0.5 * em_;
-      Put(x, panel_.bottom + 1.2 * em_, tick.label, " text-anchor=\"middle\"");
+      Put(x, place.box.bottom + 1.2 * em_, tick.label, " text-anchor=\"middle\"");
     }
-    Put(0.5 * (panel_.left + panel_.right), panel_.bottom + (kLineHeight + 1.3) * em_,
-        panel.x.title, " text-anchor=\"middle\"");
+    double y = place.box.bottom + 1.3 * em_;
+    for (const std::string& line : WrapText(panel.x.title, place.width, em_)) {
+      Put(0.5 * (place.box.left + place.box.right), y += kLineHeight * em_, line,
+          " text-anchor=\"middle\"");
+    }
   }
 
-  void AxisY(const Panel& panel, const PanelPlace& place) {
-    double widest = 0.0;
+  void AxisY(const Panel& panel, const Place& place) {
     for (const Tick& tick : place.y.ticks) {
-      const std::string& text = tick.label;
-      widest = std::max(widest, TextWidth(text, em_));
-      Put(panel_.left - 0.5 * em_, place.y.Of(tick.value) + 0.35 * em_, text,
+      Put(place.box.left - 0.5 * em_, place.y.Of(tick.value) + 0.35 * em_, tick.label,
           " text-anchor=\"end\"");
     }
     const std::vector<std::string> lines = WrapText(panel.y.title, place.height, em_);
-    double x = panel_.left - widest - 1.0 * em_ -
+    double x = place.box.left - place.widest_y - em_ -
                kLineHeight * em_ * (static_cast<double>(lines.size()) - 1.0);
     for (const std::string& text : lines) {
-      const double y = 0.5 * (panel_.top + panel_.bottom);
+      const double y = 0.5 * (place.box.top + place.box.bottom);
       Put(x, y, text,
           StrCat(" text-anchor=\"middle\" transform=\"rotate(-90 ", Num(x), " ", Num(y), ")\""));
       x += kLineHeight * em_;
     }
   }
 
-  bool Holds(const Datum& datum, const PanelPlace& place) const {
+  static bool Holds(const Datum& datum, const Place& place) {
     constexpr double kRounding = 0.01;
     const auto within = [](double at, double low, double high) {
       return at >= low - kRounding && at <= high + kRounding;
     };
-    return within(place.x.Of(datum.x), panel_.left, panel_.right) &&
-           within(place.y.Of(datum.y), panel_.top, panel_.bottom);
+    return within(place.x.Of(datum.x), place.box.left, place.box.right) &&
+           within(place.y.Of(datum.y), place.box.top, place.box.bottom);
   }
 
-  void DrawSeries(const Series& series, const PanelPlace& place) {
+  void DrawSeries(const Series& series, const Place& place) {
     const std::string& tip = series.tip.empty() ? series.name : series.tip;
     out_ += tip.empty() ? "<g>\n" : StrCat("<g><title>", Text(tip), "</title>\n");
-    if (series.kind == SeriesKind::kLine || series.kind == SeriesKind::kBand) {
+    if (series.kind != SeriesKind::kPoints) {
       // The inner element cuts what leaves the panel.
-      const std::string corner = StrCat(Num(panel_.left), " ", Num(panel_.top));
-      const std::string size = StrCat(Num(place.width), " ", Num(place.height));
       const bool line = series.kind == SeriesKind::kLine;
-      out_ += StrCat("<svg x=\"", Num(panel_.left), "\" y=\"", Num(panel_.top), "\" width=\"",
-                     Num(place.width), "\" height=\"", Num(place.height), "\" viewBox=\"", corner,
-                     " ", size, "\"><path stroke-linejoin=\"round\" stroke-linecap=\"round\"",
-                     line ? Stroke(series.look, series.look.width)
-                          : Fill(series.look.colour, series.look.opacity),
+      const std::string left = Num(place.box.left);
+      const std::string top = Num(place.box.top);
+      const std::string width = Num(place.width);
+      const std::string height = Num(place.height);
+      out_ += StrCat("<svg x=\"", left, "\" y=\"", top, "\" width=\"", width, "\" height=\"",
+                     height, "\" viewBox=\"", left, " ", top, " ", width, " ", height,
+                     "\"><path stroke-linejoin=\"round\" stroke-linecap=\"round\"",
+                     line ? Stroke(series.look) : Fill(series.look.colour, series.look.opacity),
                      " d=\"", line ? PathOf(series, place) : AreaOf(series, place), "\"/></svg>\n");
     }
     for (const Datum& datum : series.data) {
-      if (series.kind == SeriesKind::kBand || !Holds(datum, place)) continue;
       const bool shown = series.look.symbol != Symbol::kNone || !datum.tip.empty();
-      if (shown) {
-        const double x = place.x.Of(datum.x);
-        const double y = place.y.Of(datum.y);
-        Mark(series.look, x, y, datum.tip);
-        texts_.push_back({x - 0.3 * em_, y - 0.3 * em_, x + 0.3 * em_, y + 0.3 * em_});
-      }
+      if (series.kind == SeriesKind::kBand || !shown || !Holds(datum, place)) continue;
+      const double x = place.x.Of(datum.x);
+      const double y = place.y.Of(datum.y);
+      Mark(series.look, x, y, datum.tip);
+      covered_.push_back({x - 0.3 * em_, y - 0.3 * em_, x + 0.3 * em_, y + 0.3 * em_});
     }
     out_ += "</g>\n";
   }
 
   // Points so near to the one before that nobody sees them are left out.
-  std::string PathOf(const Series& series, const PanelPlace& place) const {
+  static std::string PathOf(const Series& series, const Place& place) {
     constexpr double kNear = 0.15;
     std::string path;
     double last[] = {0.0, 0.0};
@@ -278,7 +317,7 @@ class SvgWriter {
     return path;
   }
 
-  static std::string AreaOf(const Series& series, const PanelPlace& place) {
+  static std::string AreaOf(const Series& series, const Place& place) {
     std::string path;
     std::string back;
     for (const Datum& datum : series.data) {
@@ -292,7 +331,7 @@ class SvgWriter {
 
   // Writes a text beside its place, where it covers no mark and no other text; nothing if there is
   // no such side.
-  void PlaceText(const Datum& datum, const PanelPlace& place) {
+  void PlaceText(const Datum& datum, const Place& place) {
     const double size = 0.9 * em_;
     const double width = TextWidth(datum.text, size);
     for (int side = 0; side < 4; ++side) {
@@ -301,14 +340,14 @@ class SvgWriter {
       const double x = place.x.Of(datum.x) + (left ? -0.5 : 0.5) * em_;
       const double y = place.y.Of(datum.y) + (below ? 1.1 : -0.4) * em_;
       const Box box{left ? x - width : x, y - 0.8 * size, left ? x : x + width, y + 0.1 * size};
-      const bool inside = box.left >= panel_.left && box.right <= panel_.right + 0.5 * em_ &&
-                          box.top >= panel_.top - em_ && box.bottom <= panel_.bottom;
-      const bool free = std::none_of(texts_.begin(), texts_.end(), [&](const Box& other) {
+      const bool inside = box.left >= place.box.left && box.right <= place.box.right + 0.5 * em_ &&
+                          box.top >= place.box.top - em_ && box.bottom <= place.box.bottom;
+      const bool free = std::ranges::none_of(covered_, [&](const Box& other) {
         return box.left < other.right && other.left < box.right && box.top < other.bottom &&
                other.top < box.bottom;
       });
       if (!inside || !free) continue;
-      texts_.push_back(box);
+      covered_.push_back(box);
       Put(x, y, datum.text,
           StrCat(" font-size=\"", Num(size), "\"", left ? " text-anchor=\"end\"" : ""));
       return;
@@ -317,11 +356,13 @@ class SvgWriter {
 
   const Chart& chart_;
   const ChartStyle& style_;
-  ChartLayout layout_;
   double em_;
+  double width_;
+  std::size_t columns_ = 1;
+  double y_ = 0.0;  // the end of what is drawn
   std::string out_;
-  Box panel_{};             // of the panel being drawn
-  std::vector<Box> texts_;  // texts and marks in it
+  std::vector<Place> places_;  // in the order of the chart
+  std::vector<Box> covered_;   // texts and marks in the panel that is being drawn
 };
 
 }  // namespace

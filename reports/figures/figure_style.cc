@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -25,42 +26,30 @@ std::string NumberText(double value, int digits) {
   return text;
 }
 
-Shown ShownAs(const std::string& metric, const std::string& unit) {
+std::string Shown::Text(double value) const {
+  return StrCat(NumberText(scale * value), unit.empty() ? "" : " ", unit);
+}
+
+Shown ShownAs(const Column& column, double largest) {
+  const MetricEntry* rule = FindEntry(column.metric);
+  if (rule && rule->kind == MetricKind::kFraction && column.unit == "1") return {100.0, "%", true};
+  if (column.unit == "m" && largest > 0.0 && largest < 0.01) return {1e3, "mm"};
+  if (column.unit == "m" && largest > 0.0 && largest < 0.5) return {1e2, "cm"};
+  if (column.unit == "rad") return {180.0 / std::numbers::pi, "deg"};
+  return {1.0, column.unit == "1" ? "" : column.unit};
+}
+
+std::string AxisTitle(const Column& column, const Shown& shown) {
+  return StrCat(column.label, " (", shown.unit.empty() ? "count" : shown.unit, ")");
+}
+
+bool IsDrawn(const Table& table, const Row& row, std::size_t column) {
+  const std::string& metric = table.columns[column].metric;
   const MetricEntry* rule = FindEntry(metric);
-  Shown shown{1.0, unit == "1" ? "" : unit, rule && rule->higher_is_better(), false, false};
-  if (!rule) return shown;
-  shown.is_error = rule->kind == MetricKind::kError;
-  shown.is_share = rule->kind == MetricKind::kFraction && unit == "1";
-  if (shown.is_share) {
-    shown.scale = 100.0;
-    shown.unit.assign(1, '%');
-  }
-  return shown;
-}
-
-std::string AxisTitle(const Column& column) {
-  const std::string unit = ShownAs(column.metric, column.unit).unit;
-  return StrCat(column.label, " (", unit.empty() ? "count" : unit, ")");
-}
-
-std::string NameOf(const Column& column, const Table& table) {
-  const auto same = std::count_if(table.columns.begin(), table.columns.end(),
-                                  [&](const Column& other) { return other.label == column.label; });
-  return same > 1 ? StrCat(column.label, " (", column.unit, ")") : column.label;
-}
-
-std::string QuantityText(double value, const Column& column) {
-  const Shown shown = ShownAs(column.metric, column.unit);
-  return StrCat(NumberText(shown.scale * value), shown.unit.empty() ? "" : " ", shown.unit);
-}
-
-std::string CellValueText(const Cell& cell, const Column& column) {
-  if (!cell.value) return "no value";
-  const std::string text = QuantityText(*cell.value, column);
-  if (!cell.interval) return text;
-  const double scale = ShownAs(column.metric, column.unit).scale;
-  return StrCat(text, " (", NumberText(scale * cell.interval->low), " to ",
-                NumberText(scale * cell.interval->high), ")");
+  const Column* coverage = FindBy(table.columns, &Column::metric, CoverageOf(metric));
+  if (!row.cells[column].value) return false;
+  if (!rule || rule->kind != MetricKind::kCount || coverage == nullptr) return true;
+  return row.cells[static_cast<std::size_t>(coverage - table.columns.data())].value != 0.0;
 }
 
 std::string Capitalised(std::string text) {
@@ -91,25 +80,14 @@ std::string RelationText(const std::vector<const Column*>& columns) {
   using Group = std::pair<std::string, std::vector<std::string>>;  // relation, labels
   std::vector<Group> groups;
   for (const Column* column : columns) {
-    if (!ShownAs(column->metric, column->unit).is_error) continue;
+    const MetricEntry* rule = FindEntry(column->metric);
+    if (!rule || rule->kind != MetricKind::kError) continue;
     const std::string relation = RelationText(column->contract);
     AddOnce(column->label, FindOrAdd(groups, &Group::first, {relation, {}}).second);
   }
   return Joined(groups, "; ", [](const Group& group) {
     return StrCat(Joined(group.second, ", "), ": ", group.first);
   });
-}
-
-std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns) {
-  std::vector<std::string> meanings;
-  for (const Row& row : table.rows) {
-    for (const std::size_t column : columns) {
-      const auto& interval = row.cells[column].interval;
-      if (interval) AddOnce(interval->meaning, meanings);
-    }
-  }
-  if (meanings.empty()) return "No intervals: there is nothing to resample.";
-  return StrCat("Intervals: ", Joined(meanings, "; "), ".");
 }
 
 Palette::Palette(const std::vector<std::string>& names) {
@@ -127,7 +105,7 @@ Look Palette::Line(const std::string& name, double width) const {
 Look Palette::Points(const std::string& name) const {
   Look look = Line(name);
   const int place = look.colour - 1 + kChartColours * look.dash;
-  constexpr int kSymbols = 8;
+  constexpr int kSymbols = 4;
   look.symbol = static_cast<Symbol>(1 + (place + look.dash) % kSymbols);
   return look;
 }

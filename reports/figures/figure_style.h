@@ -15,35 +15,29 @@ namespace cvo::reports {
 // A number for sentences: `digits` significant digits, no exponent.
 std::string NumberText(double value, int digits = 3);
 
-// How figures show a metric: shares in percent, everything else in its own unit.
+// How figures show a metric: shares in percent, lengths in m, cm or mm, angles in degrees.
 struct Shown {
   double scale = 1.0;
   std::string unit;  // empty: a count
-  bool higher_is_better = false;
   bool is_share = false;
-  bool is_error = false;
+
+  // "1.2 cm"; "3" for a count.
+  std::string Text(double value) const;
 };
-Shown ShownAs(const std::string& metric, const std::string& unit);
+// `largest`: magnitude of the values, which decides between m, cm and mm.
+Shown ShownAs(const Column& column, double largest);
 
-// The label of a metric with its unit: "object ATE (m)".
-std::string AxisTitle(const Column& column);
+// "object ATE (cm)".
+std::string AxisTitle(const Column& column, const Shown& shown);
 
-// The label of a column, with its unit if another column has the same label.
-std::string NameOf(const Column& column, const Table& table);
-
-// A number with its unit for readers: "0.0625 m", "93.1 %" for a share, "3" for a count.
-std::string QuantityText(double value, const Column& column);
-
-// The value of a cell with its interval: "0.0213 m (0.018 to 0.025)".
-std::string CellValueText(const Cell& cell, const Column& column);
+// Whether a figure draws the cell. Events of bodies are not drawn of a row that finds no body: it
+// has none, but is not good.
+bool IsDrawn(const Table& table, const Row& row, std::size_t column);
 
 // Describes for a title how metrics are measured. Metrics that are measured alike are listed
 // together: "object ATE: aligned in the world frame by the camera; camera T.RPE: delta all, not
 // aligned". Empty for shares and counts.
 std::string RelationText(const std::vector<const Column*>& columns);
-
-// Describes the intervals of these columns, each wording once.
-std::string IntervalText(const Table& table, const std::vector<std::size_t>& columns);
 
 // Makes the first letter upper case.
 std::string Capitalised(std::string text);

@@ -11,6 +11,7 @@
 #include "core/record/metric_catalogue.h"
 #include "reports/gate/check_runs.h"
 #include "reports/statistics/estimate.h"
+#include "reports/tables/cells.h"
 
 namespace cvo::reports {
 namespace {
@@ -36,21 +37,9 @@ double Scaled(const std::string& metric, double value) {
   return IsRelative(metric) ? std::log(std::max(value, kLeastError)) : value;
 }
 
-// The first name of the scene that has these images: each seed of a rendered scene has its own, and
-// one scene may be in the suite under several names.
-using NamesByImages = std::map<std::string, std::string>;
-
-NamesByImages NamesOf(const std::vector<BaselineJob>& jobs) {
-  NamesByImages names;
-  for (const BaselineJob& job : jobs) {
-    if (!job.images.empty()) names.try_emplace(job.images, job.keys.at("sequence"));
-  }
-  return names;
-}
-
-std::string SceneId(const BaselineJob& job, const NamesByImages& names) {
+std::string SceneId(const BaselineJob& job, SceneNames& names) {
   RunKeys keys = job.keys;
-  if (!job.images.empty()) keys["sequence"] = names.at(job.images);
+  keys["sequence"] = names.Of(job.images, keys.at("sequence"));
   return Json(keys).dump();
 }
 
@@ -75,7 +64,7 @@ void AddSpread(const std::vector<const BaselineJob*>& jobs, const std::string& m
 }
 
 // Without scenes of one seed, whose spread is not known.
-std::vector<ScenePairs> GatherScenes(const JobsOfScenes& jobs, const NamesByImages& names,
+std::vector<ScenePairs> GatherScenes(const JobsOfScenes& jobs, SceneNames& names,
                                      const std::string& metric, const std::string& variant,
                                      const std::vector<RunPair>& pairs) {
   std::vector<ScenePairs> scenes;
@@ -112,7 +101,7 @@ struct Candidate {
 std::vector<Candidate> FindCandidates(const Baseline& baseline, const std::vector<RunPair>& pairs) {
   std::vector<std::string> variants;
   for (const RunPair& pair : pairs) AddOnce(pair.baseline->keys.at("variant"), variants);
-  const NamesByImages names = NamesOf(baseline.jobs);
+  SceneNames names;
   JobsOfScenes jobs;
   for (const BaselineJob& job : baseline.jobs) jobs[SceneId(job, names)].push_back(&job);
   std::vector<Candidate> candidates;

@@ -99,19 +99,25 @@ cv::Mat Background(const cv::Mat& image, const CameraInfo& camera, const CameraI
   return picture;
 }
 
-void DrawDetections(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& picture) {
-  const auto pixel = [&](double px) {
-    // Far enough outside to be invisible; also for NaN.
-    const double scaled = (px + 0.5) * style.scale - 0.5;
-    return std::isfinite(scaled) ? static_cast<int>(std::lround(std::clamp(scaled, -1e4, 3e4)))
-                                 : -10000;
+// Detections, and the boxes of true bodies, dashed.
+void DrawImageBoxes(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& picture) {
+  std::vector<Stroke> strokes;
+  const auto add = [&](const std::vector<ImageBox>& boxes, bool dashed) {
+    for (const ImageBox& box : boxes) {
+      const auto pixel = [&](double u_px, double v_px) {
+        return cv::Point2d((u_px + 0.5) * style.scale - 0.5, (v_px + 0.5) * style.scale - 0.5);
+      };
+      const std::array corners = {pixel(box.left_px, box.top_px), pixel(box.right_px, box.top_px),
+                                  pixel(box.right_px, box.bottom_px),
+                                  pixel(box.left_px, box.bottom_px)};
+      for (std::size_t i = 0; i < 4; ++i) {
+        strokes.push_back({{corners[i], corners[(i + 1) % 4]}, kWhite, 1, dashed});
+      }
+    }
   };
-  for (const ImageBox& box : frame.detections) {
-    const cv::Point a(pixel(box.left_px), pixel(box.top_px));
-    const cv::Point b(pixel(box.right_px), pixel(box.bottom_px));
-    cv::rectangle(picture, a, b, Bgr(kDark), 3);
-    cv::rectangle(picture, a, b, Bgr(kWhite), 1);
-  }
+  add(frame.detections, false);
+  add(frame.truth, true);
+  DrawStrokes(strokes, picture);
 }
 
 // Landmarks on bodies, which matter most, are drawn last; wrong labels get a white ring.
@@ -136,22 +142,51 @@ void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat
   }
 }
 
+// Whether both ends are in the picture.
+bool IsInView(const Segment& segment, const cv::Size& picture) {
+  const cv::Rect2d view(0, 0, picture.width, picture.height);
+  return view.contains(segment.first) && view.contains(segment.second);
+}
+
+// An arrow with a white core, unlike trails.
+void AddArrow(const Segment& arrow, Rgb color, int width_px, std::vector<Stroke>& strokes) {
+  const cv::Point2d along = arrow.second - arrow.first;
+  const double length_px = std::hypot(along.x, along.y);
+  if (!(length_px >= 4.0)) return;
+  const cv::Point2d back = -std::min(0.4 * length_px, 5.0 * width_px) / length_px * along;
+  const cv::Point2d side(-0.6 * back.y, 0.6 * back.x);
+  for (const Segment& line : {arrow, Segment{arrow.second, arrow.second + back + side},
+                              Segment{arrow.second, arrow.second + back - side}}) {
+    strokes.push_back({line, color, width_px + 2});
+  }
+  for (std::size_t i = strokes.size() - 3, end = strokes.size(); i < end; ++i) {
+    strokes.push_back({strokes[i].segment, kWhite, width_px});
+  }
+}
+
+// Boxes, where bodies have been in view in the last two seconds, and where they go.
 void DrawClusters(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
                   cv::Mat& picture) {
   std::vector<Stroke> strokes;
+  std::vector<Stroke> arrows;
   for (const ClusterShape& cluster : frame.clusters) {
     const Rgb color = ClusterColor(cluster.id);
+    if (!SeenRect(cluster, camera)) continue;
     for (const Segment& edge : ProjectEdges(cluster, camera)) {
       strokes.push_back({edge, color, style.line_px, cluster.predicted});
     }
     std::vector<Segment> path;
     for (std::size_t i = 1; i < cluster.tail.size(); ++i) {
       const auto part = ProjectSegment(cluster.tail[i - 1], cluster.tail[i], camera);
-      if (part) path.push_back(*part);
+      if (part && IsInView(*part, picture.size())) path.push_back(*part);
     }
     AddTail(path, color, style.line_px, strokes);
+    const auto arrow =
+        cluster.next ? ProjectSegment(cluster.center(), *cluster.next, camera) : std::nullopt;
+    if (arrow) AddArrow(*arrow, color, style.line_px, arrows);
   }
   DrawStrokes(strokes, picture);
+  DrawStrokes(arrows, picture);
 }
 
 // Draws ids and classes at the top left corners of the boxes.
@@ -238,9 +273,10 @@ cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const Camer
                     const OverlayStyle& style) {
   const CameraInfo scaled = ScaledCamera(camera, style.scale);
   cv::Mat picture = Background(image, camera, scaled);
-  DrawDetections(frame, style, picture);
+  DrawImageBoxes(frame, style, picture);
   DrawLandmarks(frame, style, picture);
   if (style.boxes) DrawClusters(frame, scaled, style, picture);
+  if (style.plain) return picture;
   DrawNames(frame, scaled, style, picture);
   if (style.inset) DrawInset(frame, scaled, style, picture);
   if (style.status) cv::vconcat(picture, StatusBar(frame, style, picture.cols), picture);
@@ -250,15 +286,10 @@ cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const Camer
 void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
                   cv::Mat& picture) {
   std::vector<const ClusterShape*> seen;
-  GroundMap map{2.0, picture.size()};
   for (const ClusterShape& cluster : frame.clusters) {
-    constexpr double kFarthest_m = 160.0;
-    const Eigen::Vector3d& center = cluster.center();
-    const bool near = std::abs(center.z()) < kFarthest_m && std::abs(center.x()) < kFarthest_m;
-    if (!near || !SeenRect(cluster, camera)) continue;
-    seen.push_back(&cluster);
-    while (map.range_m < center.z()) map.range_m *= 1.5;
+    if (SeenRect(cluster, camera)) seen.push_back(&cluster);
   }
+  const GroundMap map{frame.range_m, picture.size()};
   DrawGround(map, camera, style, picture);
   std::vector<Stroke> strokes;
   for (const ClusterShape* cluster : seen) {
@@ -274,6 +305,9 @@ void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const Ove
       path.emplace_back(map(cluster->tail[i - 1]), map(cluster->tail[i]));
     }
     AddTail(path, color, style.line_px, strokes);
+    if (cluster->next) {
+      AddArrow({map(cluster->center()), map(*cluster->next)}, color, 1, strokes);
+    }
   }
   DrawStrokes(strokes, picture);
   for (const ClusterShape* cluster : seen) {

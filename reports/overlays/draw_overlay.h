@@ -21,6 +21,7 @@ struct OverlayStyle {
   bool wrong = false;  // a white ring around landmarks with a wrong label, if the truth is known
   bool status = true;  // a line of text below the image
   bool inset = false;  // a view of the bodies from above in the top left corner
+  bool plain = false;  // the image with its marks alone: no names, status and inset
 };
 
 // The style for drawings of this width, from thumbnails to full screens.

@@ -84,6 +84,8 @@ std::vector<Eigen::Vector3d> TailOf(const RunDetail& run, std::size_t index, con
 }
 
 ClusterShape ShapeOf(const RunDetail& run, std::size_t index, const ObjectRow& row) {
+  constexpr double kAhead_s = 0.5;
+  constexpr double kLeastSpeed_m_s = 0.1;
   const RigidTransform camera_from_world =
       TransformOf(run.camera[index].world_from_camera).Inverse();
   const RigidTransform camera_from_box =
@@ -97,10 +99,34 @@ ClusterShape ShapeOf(const RunDetail& run, std::size_t index, const ObjectRow& r
                                (i & 4U) != 0 ? 0.5 : -0.5);
     shape.corners[i] = camera_from_box * side.cwiseProduct(row.size_m);
   }
-  for (const Eigen::Vector3d& p_in_world : TailOf(run, index, row)) {
+  const std::vector<Eigen::Vector3d> tail = TailOf(run, index, row);
+  for (const Eigen::Vector3d& p_in_world : tail) {
     shape.tail.push_back(camera_from_world * p_in_world);
   }
+  const auto& velocity_m_s =
+      row.refined_velocity_m_s ? row.refined_velocity_m_s : row.causal_velocity_m_s;
+  if (velocity_m_s && velocity_m_s->norm() > kLeastSpeed_m_s) {
+    shape.next = camera_from_world * (tail.back() + kAhead_s * *velocity_m_s);
+  }
   return shape;
+}
+
+// A round distance ahead within which nine tenths of the clusters are.
+double RangeOf(const RunDetail& run) {
+  std::vector<double> ahead_m;
+  for (const CameraFrame& camera : run.camera) {
+    const RigidTransform camera_from_world = TransformOf(camera.world_from_camera).Inverse();
+    for (const ObjectRow& row : RowsOfFrame(run.clusters, camera.frame)) {
+      ahead_m.push_back((camera_from_world * row.WorldFromObject().translation()).z());
+    }
+  }
+  if (ahead_m.empty()) return 10.0;
+  std::ranges::sort(ahead_m);
+  const double far_m = ahead_m[ahead_m.size() * 9 / 10];
+  for (const double range_m : {2.0, 4.0, 6.0, 10.0, 20.0, 40.0, 60.0}) {
+    if (range_m >= far_m) return range_m;
+  }
+  return 100.0;
 }
 
 }  // namespace
@@ -134,6 +160,7 @@ Rgb ClusterColor(std::int64_t id) {
 
 OverlayRun ReadOverlayRun(const fs::path& folder, LandmarkLabel label) {
   OverlayRun run;
+  run.folder = fs::absolute(folder / "").parent_path().lexically_normal();
   run.detail = ReadRunDetail(folder);
   ReadHead(folder / "result.json", run);
   for (const std::string& line : run.detail.missing) {
@@ -149,6 +176,7 @@ OverlayRun ReadOverlayRun(const fs::path& folder, LandmarkLabel label) {
     run.missing.push_back(StrCat("without landmarks: ", error.what()));
   }
   MarkWrongLabels(run);
+  run.range_m = RangeOf(run.detail);
   return run;
 }
 
@@ -187,12 +215,13 @@ OverlayFrame FrameOf(const OverlayRun& run, int frame) {
   drawn.status = found->status;
   drawn.run = StrCat(run.variant, ", seed ", run.seed);
   drawn.has_truth = run.has_truth;
-  if (const auto landmarks = run.landmarks.find(frame); landmarks != run.landmarks.end()) {
-    drawn.landmarks = landmarks->second;
-  }
-  if (const auto boxes = run.detections.find(frame); boxes != run.detections.end()) {
-    drawn.detections = boxes->second;
-  }
+  const auto of_frame = [frame](const auto& all, auto& drawn_there) {
+    if (const auto there = all.find(frame); there != all.end()) drawn_there = there->second;
+  };
+  of_frame(run.landmarks, drawn.landmarks);
+  of_frame(run.detections, drawn.detections);
+  of_frame(run.truth, drawn.truth);
+  drawn.range_m = run.range_m;
   const auto index = static_cast<std::size_t>(found - camera.begin());
   for (const ObjectRow& row : RowsOfFrame(run.detail.clusters, frame)) {
     drawn.clusters.push_back(ShapeOf(run.detail, index, row));

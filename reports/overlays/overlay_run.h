@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct ClusterShape {
   std::array<Eigen::Vector3d, 8> corners;
   // Its centre in the last two seconds, oldest first; the last one is that of this frame.
   std::vector<Eigen::Vector3d> tail;
+  // Its centre half a second later at its velocity; empty if it hardly moves.
+  std::optional<Eigen::Vector3d> next = {};
 
   const Eigen::Vector3d& center() const { return tail.back(); }
 };
@@ -54,10 +57,13 @@ struct OverlayFrame {
   std::vector<LabelledLandmark> landmarks;
   std::vector<ClusterShape> clusters;
   std::vector<ImageBox> detections;
+  std::vector<ImageBox> truth;  // around what is visible of the true bodies
+  double range_m = 10.0;        // of the view from above, the same in all frames of a run
 };
 
 // What can be drawn of a run, read from its folder.
 struct OverlayRun {
+  std::filesystem::path folder;
   std::string variant;
   std::uint64_t seed = 0;
   RunSequence sequence;
@@ -66,6 +72,8 @@ struct OverlayRun {
   bool has_truth = false;  // the true bodies of landmarks are known
   LandmarksByFrame landmarks;
   std::map<int, std::vector<ImageBox>> detections;  // by frame; not read from the folder
+  std::map<int, std::vector<ImageBox>> truth;       // by frame; not read from the folder
+  double range_m = 10.0;                            // ahead, within which clusters mostly are
   std::vector<std::string> missing;                 // what the drawing lacks, one line each
 };
 

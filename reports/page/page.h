@@ -59,37 +59,20 @@ PageContent ReadPage(const PageRequest& request);
 // table, else of the first variant; of its seeds the lowest.
 void ChooseScenes(PageContent& content);
 
-// One self-contained page, which needs no network. The same content gives the same bytes. All
-// statements are in its HTML; its script only sorts, unfolds and moves through frames.
+// One self-contained page, which needs no network. Its first screen has what was compared, the
+// short table, the differences from the reference and the images of the first run; all else is
+// folded. The same content gives the same bytes. All statements are in its HTML; its script only
+// sorts, unfolds and moves through frames.
 std::string PageHtml(const PageContent& content);
-
-// ---- The parts of pages as HTML. Every text given to these functions is escaped.
 
 // Escapes a text, on one line, for use between tags or in a quoted attribute.
 std::string Escaped(std::string_view text);
 
-// Returns <tag>text</tag>.
-std::string Element(const std::string& tag, std::string_view text);
-
-// A heading, if it is not empty, and one item for each text; empty if there is none.
-std::string ListHtml(const std::string& heading, const std::vector<std::string>& texts);
-
-// A list of names and values; empty if there is none.
-std::string FactsHtml(const std::vector<Fact>& facts);
-
-// The values of a table, its differences as a second one, and its notes. `id` begins the ids of
-// elements and must be unique within a page.
-std::string ResultTable(const Table& table, const std::string& id);
-
-// A complete page with this body. No script but our own can run in it, and nothing is loaded from
-// the network.
-std::string HtmlDocument(const std::string& title, const std::string& body);
+// All values of a table, its differences as a second one, and its notes.
+std::string ResultTable(const Table& table);
 
 // The files page.css and page.js.
 std::string_view PageStyle();
 std::string_view PageScript();
-
-// What the suite compared.
-std::string SummarySection(const PageContent& content);
 
 }  // namespace cvo::reports

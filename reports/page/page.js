@@ -120,7 +120,6 @@ function makePlayer(block) {
     play.textContent = 'Pause';
     timer = setInterval(step, stepMs);
   });
-  block.addEventListener('toggle', () => { if (!block.open) stop(); });
   show(images.length >> 1);
   // The last image that is not after this frame.
   block.goTo = (frame) => show(Math.max(0, images.filter((image) => Number(image.dataset.frame) <= Number(frame)).length - 1));
@@ -141,7 +140,7 @@ function followAddress() {
 }
 
 document.querySelectorAll('table.results').forEach(makeSortable);
-document.querySelectorAll('details.frames').forEach(makePlayer);
+document.querySelectorAll('.frames').forEach(makePlayer);
 followAddress();
 window.addEventListener('hashchange', followAddress);
 document.documentElement.dataset.ready = 'true';

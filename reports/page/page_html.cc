@@ -9,12 +9,37 @@
 #include "core/files/text/number.h"
 #include "core/files/text/utf8.h"
 #include "core/record/metric_catalogue.h"
-#include "reports/figures/figure_style.h"
 #include "reports/page/page.h"
 #include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
 namespace {
+
+using Texts = std::vector<std::string>;
+
+// Returns <tag attributes>text</tag>.
+std::string Element(const std::string& tag, std::string_view text, const char* attributes = "") {
+  return StrCat("<", tag, attributes, ">", Escaped(text), "</", tag, ">");
+}
+
+// A heading, if it is not empty, and one item for each text; empty if there is none.
+std::string ListHtml(const std::string& heading, const Texts& texts) {
+  if (texts.empty()) return "";
+  std::string html = heading.empty() ? "<ul>\n" : Element("h3", heading) + "\n<ul>\n";
+  for (const std::string& text : texts) html += Element("li", text) + "\n";
+  return html + "</ul>\n";
+}
+
+// A folded part of the page; empty if there is nothing in it.
+std::string Folded(const std::string& id, const std::string& summary, const std::string& html) {
+  if (html.empty()) return "";
+  return StrCat("<details id=\"", id, "\">", Element("summary", summary), "\n", html,
+                "</details>\n");
+}
+
+std::string ProblemHtml(const std::string& text) {
+  return Element("p", text, " class=\"problem\"") + "\n";
+}
 
 // The hash by which a Content-Security-Policy names the only script that may run.
 std::string ScriptSource() {
@@ -26,17 +51,43 @@ std::string ScriptSource() {
   return "'sha256-" + Base64(bytes) + "'";
 }
 
-std::string TableSection(const PageContent& content) {
-  std::string html = "<section id=\"table\">\n<h2>Table</h2>\n";
-  if (!content.table) {
-    return html + "<p class=\"problem\">There is no table: see above.</p>\n</section>\n";
+// What the suite compared.
+std::string Summary(const PageContent& content) {
+  std::string html = "<section id=\"summary\">\n";
+  if (!content.about.empty()) html += Element("p", content.about) + "\n";
+  for (const std::string& problem : content.problems) html += ProblemHtml(problem);
+  if (!content.table) return html + ProblemHtml("There is no table: see above.") + "</section>\n";
+  const Table& table = *content.table;
+  html += Element("p", StrCat(JobsText(table.jobs), ". ",
+                              table.reference.empty()
+                                  ? "No row is the reference, so no differences are reported."
+                                  : "Differences are relative to " + table.reference + ".")) +
+          "\n";
+  std::string variants;
+  for (const auto& [name, meaning] : content.variants) {
+    variants += Element("dt", name) + Element("dd", meaning) + "\n";
   }
-  html +=
-      "<p>Each value is a mean, with its 95 % interval below it. A star marks a significant "
-      "difference from the reference. Grey rows are published "
-      "results of others, with their sources in the notes below; values in brackets are not "
-      "comparable with ours. Select a heading to sort by it.</p>\n";
-  return html + ResultTable(*content.table, "table") + "</section>\n";
+  if (!variants.empty()) variants = "<dl class=\"facts\">\n" + variants + "</dl>\n";
+  return html + Folded("variants", "What the variants are", variants) + "</section>\n";
+}
+
+std::string ShortTableHtml(const Table& table) {
+  const ShortTable texts = MakeShortTable(table);
+  std::string html =
+      "<div class=\"scroll\" tabindex=\"0\"><table class=\"short\">\n<thead><tr><th></th>";
+  for (const std::string& heading : texts.headings) {
+    html += Element("th", heading, " scope=\"col\" class=\"number\"");
+  }
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : texts.rows) {
+    html += "<tr>" + Element("th", row.front(), " scope=\"row\"");
+    for (std::size_t i = 1; i < row.size(); ++i) {
+      html += Element("td", row[i], " class=\"number\"");
+    }
+    html += "</tr>\n";
+  }
+  html += "</tbody></table></div>\n<p class=\"notes\">";
+  return html + Joined(texts.notes, "<br/>\n", Escaped) + "</p>\n";
 }
 
 // Emphasises the first sentence of a title, which says what is shown, over the rest, which says how
@@ -45,30 +96,22 @@ std::string FigureHtml(const Figure& figure) {
   const std::size_t end = std::min(figure.title.find(". "), figure.title.size() - 1) + 1;
   ChartStyle style;
   style.css = false;
-  return StrCat("<figure class=\"figure\" id=\"figure-", Escaped(figure.name), "\">\n<figcaption>",
+  return StrCat("<figure id=\"figure-", Escaped(figure.name), "\">\n<figcaption>",
                 Element("strong", figure.title.substr(0, end)), Escaped(figure.title.substr(end)),
-                Element("p", figure.caption),
-                "</figcaption>\n<div class=\"scroll chart\" style=\"--part:",
-                FormatGeneral(figure.chart.width, 4), "\">", ChartSvg(figure.chart, style),
-                "</div>\n</figure>\n");
+                " ", Escaped(figure.caption), "</figcaption>\n<div class=\"scroll chart\" style=\"",
+                "--part:", FormatGeneral(figure.chart.width, 4), "\">",
+                ChartSvg(figure.chart, style), "</div>\n</figure>\n");
 }
 
-std::string FiguresSection(const PageContent& content) {
-  std::string html = "<section id=\"figures\">\n<h2>Figures</h2>\n";
-  if (content.drawing.figures.empty()) {
-    html += "<p class=\"problem\">No figure could be made from these results.</p>\n";
-  }
-  for (const Figure& figure : content.drawing.figures) html += FigureHtml(figure);
-  return html + "</section>\n";
+std::string NameOf(const PageContent& content, const PageScene& scene) {
+  const PlannedRun& run = content.runs[scene.run].planned;
+  return StrCat(KeyOf(run, "sequence"), ": ", KeyOf(run, "variant"), ", seed ", run.seed);
 }
 
 // Without the script the image in the middle of the run is seen.
 std::string PlayerHtml(const PageScene& scene, const std::string& name, std::size_t index) {
-  std::string html = StrCat(
-      "<details class=\"frames\" id=\"frames-", index, "\"", index == 1 ? " open" : "", ">\n",
-      Element("summary", name),
-      "\n<div class=\"player\" hidden><button type=\"button\">Play</button><input type=\"range\" "
-      "min=\"0\" step=\"1\" aria-label=\"Frame\"></div>\n<figure>\n");
+  std::string html = StrCat("<div class=\"frames\" id=\"frames-", index, "\">\n",
+                            Element("h3", name), "\n<figure>\n");
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
     const PageImage& image = scene.images[i];
     html += StrCat("<img data-frame=\"", image.frame, "\" alt=\"", Escaped(image.alt), "\"",
@@ -76,99 +119,54 @@ std::string PlayerHtml(const PageScene& scene, const std::string& name, std::siz
                    Base64(image.jpeg), "\">\n");
   }
   return html + Element("figcaption", "Left image with what was estimated") +
-         "\n</figure>\n</details>\n";
+         "\n</figure>\n<div class=\"player\" hidden><button type=\"button\">Play</button><input "
+         "type=\"range\" min=\"0\" step=\"1\" aria-label=\"Frame\"></div>\n</div>\n";
 }
 
-std::string FramesSection(const PageContent& content) {
-  std::string html = "<section id=\"frames\">\n<h2>Frame by frame</h2>\n";
-  std::vector<std::string> without;
+std::string Origin(const PageContent& content) {
+  std::string html = ListHtml("", content.origins);
+  if (!content.table) return html;
+  return html + Element("p", "Seeds: " + Joined(content.table->provenance.seeds, ", ")) + "\n";
+}
+
+std::string Body(const PageContent& content) {
+  std::string first;  // the first player
+  std::string players;
+  Texts without;
   std::size_t shown = 0;
   for (const PageScene& scene : content.scenes) {
-    const PlannedRun& run = content.runs[scene.run].planned;
-    const std::string name =
-        StrCat(KeyOf(run, "sequence"), ": ", KeyOf(run, "variant"), ", seed ", run.seed);
-    if (!scene.images.empty()) html += PlayerHtml(scene, name, ++shown);
+    const std::string name = NameOf(content, scene);
     if (!scene.no_images.empty()) without.push_back(StrCat(name, ": ", scene.no_images));
+    if (scene.images.empty()) continue;
+    ++shown;
+    (shown == 1 ? first : players) += PlayerHtml(scene, name, shown);
   }
-  if (shown == 0) html += "<p class=\"problem\">No run can be shown.</p>\n";
-  return html + ListHtml("Runs without images", without) + "</section>\n";
-}
-
-std::string MissingSection(const PageContent& content) {
-  const std::vector<std::string> problems =
-      content.table ? ProblemTexts(*content.table) : std::vector<std::string>();
-  std::string html = ListHtml("Runs that failed, are missing or lost the camera", problems) +
-                     ListHtml("Missing or unreadable files", content.missing) +
-                     ListHtml("Not shown in figures", content.drawing.not_drawn);
-  if (html.empty()) html = "<p>Nothing is missing.</p>\n";
-  return "<section id=\"missing\">\n<h2>What is missing</h2>\n" + html + "</section>\n";
-}
-
-std::string OriginSection(const PageContent& content) {
-  std::string html =
-      "<section id=\"origin\">\n<h2>Origin of the numbers</h2>\n" + ListHtml("", content.origins);
+  if (shown == 0) first = ProblemHtml("No run can be shown frame by frame: see What is missing.");
+  std::string forest;
+  std::string figures;
+  for (const Figure& figure : content.drawing.figures) {
+    (figure.name == "ablation" ? forest : figures) += FigureHtml(figure);
+  }
+  if (content.drawing.figures.empty()) figures = ProblemHtml("No figure could be made.");
+  std::string html = StrCat("<header>\n", Element("h1", content.title), "\n</header>\n<main>\n",
+                            Summary(content), "<div class=\"first\">\n<section>\n");
+  if (content.table) html += ShortTableHtml(*content.table);
+  html += StrCat(forest, "</section>\n<section>\n", first, "</section>\n</div>\n");
   if (content.table) {
-    html += Element("p", "Seeds: " + Joined(content.table->provenance.seeds, ", ")) + "\n";
+    html += Folded("table", "All values, intervals, differences and notes",
+                   ResultTable(*content.table));
   }
-  return html + "</section>\n";
+  const std::string missing =
+      StrCat(ListHtml("Runs that failed, are missing or lost the camera",
+                      content.table ? ProblemTexts(*content.table) : Texts()),
+             ListHtml("Missing or unreadable files", content.missing),
+             ListHtml("Runs without images", without),
+             ListHtml("Not shown in figures", content.drawing.not_drawn));
+  return StrCat(html, Folded("figures", "More figures", figures),
+                Folded("frames", "More runs frame by frame", players),
+                Folded("missing", "What is missing", missing),
+                Folded("origin", "Origin of the numbers", Origin(content)), "</main>\n");
 }
-
-std::string Navigation() {
-  const std::vector<Fact> parts = {
-      {"summary", "Summary"},         {"table", "Table"},
-      {"figures", "Figures"},         {"frames", "Frame by frame"},
-      {"missing", "What is missing"}, {"origin", "Origin of the numbers"}};
-  std::string html = "<nav aria-label=\"Parts of this page\"><ul>\n";
-  for (const auto& [id, name] : parts) {
-    html += StrCat("<li><a href=\"#", id, "\">", Escaped(name), "</a></li>\n");
-  }
-  return html + "</ul></nav>\n";
-}
-
-}  // namespace
-
-std::string Escaped(std::string_view text) { return HtmlEscaped(Printable(text)); }
-
-std::string Element(const std::string& tag, std::string_view text) {
-  return "<" + tag + ">" + Escaped(text) + "</" + tag + ">";
-}
-
-std::string ListHtml(const std::string& heading, const std::vector<std::string>& texts) {
-  if (texts.empty()) return "";
-  std::string html = heading.empty() ? "<ul>\n" : Element("h3", heading) + "\n<ul>\n";
-  for (const std::string& text : texts) html += Element("li", text) + "\n";
-  return html + "</ul>\n";
-}
-
-std::string FactsHtml(const std::vector<Fact>& facts) {
-  if (facts.empty()) return "";
-  std::string html = "<dl class=\"facts\">\n";
-  for (const auto& [name, value] : facts) html += Element("dt", name) + Element("dd", value) + "\n";
-  return html + "</dl>\n";
-}
-
-std::string HtmlDocument(const std::string& title, const std::string& body) {
-  return StrCat(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: "
-      "'self' file:; style-src 'unsafe-inline'; script-src ",
-      ScriptSource(),
-      "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
-      Element("title", title), "\n<style>", PageStyle(), ChartCss(), "</style>\n</head>\n<body>\n",
-      body, "<p id=\"script-problem\" class=\"problem\" role=\"alert\" hidden></p>\n<script>",
-      PageScript(), "</script>\n</body>\n</html>\n");
-}
-
-std::string PageHtml(const PageContent& content) {
-  return HtmlDocument(
-      content.title + ": ClusterVO-bench report",
-      StrCat("<header>\n", Element("h1", content.title), "\n<p>Results of ClusterVO-bench</p>\n",
-             Navigation(), "</header>\n<main>\n", SummarySection(content), TableSection(content),
-             FiguresSection(content), FramesSection(content), MissingSection(content),
-             OriginSection(content), "</main>\n"));
-}
-
-namespace {
 
 std::string Span(const char* kind, const std::string& text) {
   return text.empty() ? "" : StrCat("<span class=\"", kind, "\">", Escaped(text), "</span>");
@@ -190,12 +188,11 @@ std::string CellHtml(const CellText& cell, const std::optional<double>& number) 
   std::string html = StrCat("<td class=\"number", cell.grey ? " grey" : "", "\"");
   if (number) html += StrCat(" data-value=\"", FormatDouble(*number), "\"");
   if (!cell.n.empty()) html += StrCat(" title=\"n: ", Escaped(cell.n), "\"");
-  html += ">";
-  if (cell.value.empty()) return html + "</td>";
-  html += Span("value", cell.Shown());
-  if (cell.distinguishable) html += "<abbr class=\"star\" title=\"significant\">*</abbr>";
-  return html + Span("small", cell.interval) + Span("small", cell.percent) +
-         Span("reason", cell.note) + "</td>";
+  if (cell.value.empty()) return html + "></td>";
+  return StrCat(html, ">", Span("value", cell.Shown()),
+                cell.distinguishable ? "<abbr class=\"star\" title=\"significant\">*</abbr>" : "",
+                Span("small", cell.interval), Span("small", cell.percent),
+                Span("reason", cell.note), "</td>");
 }
 
 // The keys of a row are header cells; the other texts at the left are not. Figures of others stay
@@ -205,8 +202,7 @@ std::string LineHtml(const Table& table, const TextLine& line, bool differences)
                             line.theirs != nullptr && line.row != nullptr ? " below" : "", "\">");
   for (std::size_t i = 0; i < line.texts.size(); ++i) {
     const bool name = i < table.keys.size() && !line.texts[i].empty();
-    html += StrCat(name ? "<th scope=\"row\">" : "<td>", Escaped(line.texts[i]),
-                   name ? "</th>" : "</td>");
+    html += Element(name ? "th" : "td", line.texts[i], name ? " scope=\"row\"" : "");
   }
   for (std::size_t i = 0; i < line.cells.size(); ++i) {
     html += CellHtml(line.cells[i], NumberOf(table, line, i, differences));
@@ -214,65 +210,45 @@ std::string LineHtml(const Table& table, const TextLine& line, bool differences)
   return html + "</tr>\n";
 }
 
-std::string BlockHtml(const Table& table, const TableTexts& texts, std::size_t index,
-                      const std::string& id) {
-  const TextBlock& block = texts.blocks[index];
-  const bool differences = index > 0;
-  std::string html =
-      StrCat("<div class=\"scroll\" tabindex=\"0\">\n<table class=\"results\" id=\"", Escaped(id),
-             differences ? "-differences" : "-values", "\">\n",
-             Element("caption", differences ? block.heading : texts.about), "\n<thead><tr>");
-  for (const std::string& name : texts.text_header) {
-    html += StrCat("<th scope=\"col\">", Escaped(name), "</th>");
-  }
-  for (std::size_t i = 0; i < texts.columns.size(); ++i) {
-    const ColumnText& column = texts.columns[i];
-    const MetricEntry* entry = FindEntry(table.columns[i].metric);
-    html +=
-        StrCat("<th scope=\"col\" class=\"number\"",
-               entry != nullptr ? StrCat(" title=\"", Escaped(entry->meaning), "\"") : "", ">",
-               Escaped(column.label),
-               Span("unit", column.unit.empty() ? "" : StrCat(" [", column.unit, "]")), "</th>");
-  }
-  html += "</tr></thead>\n<tbody>\n";
-  for (const TextLine& line : block.lines) html += LineHtml(table, line, differences);
-  return html + "</tbody>\n</table>\n</div>\n";
-}
-
-std::string Folded(const std::string& summary, const std::vector<std::string>& lines) {
-  if (lines.empty()) return "";
-  return StrCat("<details class=\"notes\">", Element("summary", summary), "\n", ListHtml("", lines),
-                "</details>\n");
-}
-
 }  // namespace
 
-std::string ResultTable(const Table& table, const std::string& id) {
+std::string Escaped(std::string_view text) { return HtmlEscaped(Printable(text)); }
+
+std::string ResultTable(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  std::string html;
-  for (std::size_t i = 0; i < texts.blocks.size(); ++i) html += BlockHtml(table, texts, i, id);
-  return html +
-         Folded("Notes: what each value is based on, and how values are compared",
-                texts.footnotes) +
-         Folded("Definitions of the columns", texts.definitions);
+  std::string html =
+      "<p>Each value is a mean, with its 95 % interval below it. A star marks a significant "
+      "difference from the reference. Grey rows are results of others; values in brackets are not "
+      "comparable with ours. Select a heading to sort by it.</p>\n";
+  for (std::size_t block = 0; block < texts.blocks.size(); ++block) {
+    html += StrCat("<div class=\"scroll\" tabindex=\"0\">\n<table class=\"results\" id=\"table-",
+                   block > 0 ? "differences" : "values", "\">\n",
+                   Element("caption", texts.blocks[block].heading), "\n<thead><tr>");
+    for (const std::string& name : texts.text_header) html += Element("th", name);
+    for (std::size_t i = 0; i < texts.columns.size(); ++i) {
+      const MetricEntry* entry = FindEntry(table.columns[i].metric);
+      html +=
+          StrCat("<th scope=\"col\" class=\"number\" title=\"",
+                 entry ? Escaped(entry->meaning) : "", "\">", Escaped(texts.columns[i]), "</th>");
+    }
+    html += "</tr></thead>\n<tbody>\n";
+    for (const TextLine& line : texts.blocks[block].lines) html += LineHtml(table, line, block > 0);
+    html += "</tbody>\n</table>\n</div>\n";
+  }
+  return html + ListHtml("Notes", texts.footnotes);
 }
 
-std::string SummarySection(const PageContent& content) {
-  std::string html = "<section id=\"summary\">\n<h2>Summary</h2>\n";
-  if (!content.about.empty()) html += Element("p", content.about) + "\n";
-  for (const std::string& problem : content.problems) {
-    html += "<p class=\"problem\">" + Escaped(problem) + "</p>\n";
-  }
-  if (!content.table) return html + "</section>\n";
-  const Table& table = *content.table;
-  html += FactsHtml(content.variants) + "<p>" + Escaped(JobsText(table.jobs)) + ".";
-  if (!table.problems.empty()) html += " <a href=\"#missing\">What is missing, and why</a>.";
-  html += "</p>\n";
-  if (table.reference.empty()) {
-    return html + "<p>No row is the reference, so no differences are reported.</p>\n</section>\n";
-  }
-  return html + Element("p", "Differences are relative to " + table.reference + ".") +
-         "\n</section>\n";
+std::string PageHtml(const PageContent& content) {
+  return StrCat(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: "
+      "'self' file:; style-src 'unsafe-inline'; script-src ",
+      ScriptSource(),
+      "\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n",
+      Element("title", content.title + ": ClusterVO-bench report"), "\n<style>", PageStyle(),
+      ChartCss(), "</style>\n</head>\n<body>\n", Body(content),
+      "<p id=\"script-problem\" class=\"problem\" role=\"alert\" hidden></p>\n<script>",
+      PageScript(), "</script>\n</body>\n</html>\n");
 }
 
 }  // namespace cvo::reports

@@ -33,15 +33,15 @@ class BodyReader {
 
   BodyDetail Body(const TruthOfBody& of) const {
     BodyDetail body{{of}, {}, {}, {}, {}};
-    CheckLike(of.truth.frames.size(), of.truth.poses.size(), "truth", "poses");
-    CheckLike(of.truth.frames.size(), of.truth.visible.size(), "truth", "visible");
+    CheckLike(of.truth.frames, of.truth.poses, "truth", "poses");
+    CheckLike(of.truth.frames, of.truth.visible, "truth", "visible");
     for (std::size_t i = 0; i < of.truth.frames.size(); ++i) {
       const int frame = Frame(of.truth.frames[i], "truth");
       body.truth.emplace_back(frame, of.truth.poses[i]);
       if (of.truth.visible[i]) body.visible.push_back(frame);
     }
-    std::sort(body.truth.begin(), body.truth.end());
-    std::sort(body.visible.begin(), body.visible.end());
+    std::ranges::sort(body.truth);
+    std::ranges::sort(body.visible);
     body.estimated = Positions(of.estimated, "estimated", body);
     body.predicted = Positions(of.predicted, "predicted", body);
     return body;
@@ -56,15 +56,15 @@ class BodyReader {
     }
     return frames_[static_cast<std::size_t>(index)].frame;
   }
-  void CheckLike(std::size_t frames, std::size_t values, const char* list,
+  void CheckLike(const auto& frames, const auto& values, const char* list,
                  const char* field) const {
-    if (values == frames) return;
-    ThrowError(StrCat(where_, ", bodies, ", list, ", field ", field), StrCat(values, " values"),
-               StrCat(frames, ", one per frame"));
+    if (values.size() == frames.size()) return;
+    ThrowError(StrCat(where_, ", bodies, ", list, ", field ", field),
+               StrCat(values.size(), " values"), StrCat(frames.size(), ", one per frame"));
   }
   std::vector<BodyPosition> Positions(const FramePositions& positions, const char* list,
                                       const BodyDetail& body) const {
-    CheckLike(positions.frames.size(), positions.positions_m.size(), list, "positions_m");
+    CheckLike(positions.frames, positions.positions_m, list, "positions_m");
     std::vector<BodyPosition> found;
     for (std::size_t i = 0; i < positions.frames.size(); ++i) {
       const int frame = Frame(positions.frames[i], list);
@@ -77,8 +77,7 @@ class BodyReader {
       const Pose& pose = truth->second;
       found.push_back({frame, at, std::hypot(at[0] - pose[0], at[1] - pose[1], at[2] - pose[2])});
     }
-    std::sort(found.begin(), found.end(),
-              [](const auto& a, const auto& b) { return a.frame < b.frame; });
+    std::ranges::sort(found, {}, &BodyPosition::frame);
     return found;
   }
 

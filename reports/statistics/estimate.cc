@@ -100,25 +100,11 @@ double Quantile(const std::vector<double>& sorted, double fraction) {
 }
 
 // The interval that holds the middle kConfidence of the values.
-std::optional<Range> MiddleRange(std::vector<double> values) {
+std::optional<Interval> MiddleRange(std::vector<double> values) {
   if (values.empty()) return std::nullopt;
   std::sort(values.begin(), values.end());
   const double tail = 0.5 * (1.0 - kConfidence);
-  return Range{Quantile(values, tail), Quantile(values, 1.0 - tail)};
-}
-
-// Fills in everything that needs no resampling.
-PairedEstimate Compare(const Strata& strata, const std::array<double, 2>& mean) {
-  PairedEstimate estimate;
-  estimate.value = mean[0];
-  estimate.reference = mean[1];
-  estimate.difference = estimate.value - estimate.reference;
-  estimate.scenes = strata.scenes;
-  estimate.bodies = strata.bodies;
-  estimate.pairs = strata.of_scenes() ? strata.scenes : strata.bodies;
-  const Differences differences = DifferencesOf(strata);
-  estimate.p_value = PairedPValue(differences);
-  return estimate;
+  return Interval{Quantile(values, tail), Quantile(values, 1.0 - tail)};
 }
 
 constexpr std::uint64_t kSeed = 1;
@@ -265,14 +251,18 @@ std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pair
   const std::optional<Strata> strata = GroupSamples(pairs, within);
   const auto mean = strata ? MeanOverStrata(strata->units, strata->within) : std::nullopt;
   if (!mean) return std::nullopt;
-  PairedEstimate estimate = Compare(*strata, *mean);
-  const std::vector<std::array<double, 2>> resampled = Bootstrap(strata->units, strata->within);
   std::vector<double> differences;
-  for (const auto& [value, reference] : resampled) differences.push_back(value - reference);
-  estimate.interval = MiddleRange(std::move(differences));
-  if (estimate.reference > 0.0) {
-    estimate.percent = 100.0 * estimate.difference / estimate.reference;
+  for (const auto& [value, reference] : Bootstrap(strata->units, strata->within)) {
+    differences.push_back(value - reference);
   }
+  PairedEstimate estimate{.value = (*mean)[0],
+                          .reference_value = (*mean)[1],
+                          .difference = (*mean)[0] - (*mean)[1],
+                          .interval = MiddleRange(std::move(differences)),
+                          .percent = {},
+                          .p_value = PairedPValue(DifferencesOf(*strata)),
+                          .pairs = strata->of_scenes() ? strata->scenes : strata->bodies};
+  if ((*mean)[1] > 0.0) estimate.percent = 100.0 * estimate.difference / (*mean)[1];
   return estimate;
 }
 

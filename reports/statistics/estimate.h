@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/files/json/json_record.h"
+
 namespace cvo::reports {
 
 // The contribution to a mean, which is the sum divided by the weight. Errors have weight 1;
@@ -33,11 +35,12 @@ enum class Within { kMean, kSum };
 
 inline constexpr double kConfidence = 0.95;
 
-struct Range {
+struct Interval {
   double low = 0.0;
   double high = 0.0;
 
   bool Contains(double value) const { return low <= value && value <= high; }
+  CVO_FIELDS(low, high);
 };
 
 // The minimum number of pairs of a significant difference. With fewer, not even differences of one
@@ -47,7 +50,7 @@ inline constexpr std::size_t kMinPairs = 6;
 
 struct Estimate {
   double value = 0.0;
-  std::optional<Range> interval;  // empty if nothing can be resampled
+  std::optional<Interval> interval;  // empty if nothing can be resampled
   std::size_t scenes = 0;
   std::size_t bodies = 0;
 };
@@ -62,15 +65,13 @@ std::optional<Estimate> EstimateMean(const std::vector<Sample>& samples, Within 
 // A value compared with its reference on the same scenes, bodies and repetitions.
 struct PairedEstimate {
   double value = 0.0;
-  double reference = 0.0;
-  double difference = 0.0;  // value - reference
-  std::optional<Range> interval;
+  double reference_value = 0.0;
+  double difference = 0.0;  // value - reference_value
+  std::optional<Interval> interval;
   // The difference in percent of the reference; empty if that is not positive.
   std::optional<double> percent;
   std::optional<double> p_value;  // of no difference, uncorrected (PairedPValue)
-  std::size_t scenes = 0;
-  std::size_t bodies = 0;
-  std::size_t pairs = 0;  // units resampled: scenes, or bodies of the only scene
+  std::size_t pairs = 0;          // units resampled: scenes, or bodies of the only scene
 };
 
 std::optional<PairedEstimate> EstimateDifference(const std::vector<Sample>& pairs, Within within);

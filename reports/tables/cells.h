@@ -59,23 +59,29 @@ std::vector<Column> MakeColumns(const std::vector<std::string>& metrics,
 // it does not.
 std::string DifferingMeaning(const RowRuns& row, const Column& column);
 
+// Names of scenes. One under several names has the first of them: scenes are told apart by their
+// images, and what was done to these, where they are known.
+class SceneNames {
+ public:
+  const std::string& Of(const std::string& images, const std::string& name) {
+    return names_.try_emplace(images.empty() ? name : images, name).first->second;
+  }
+
+ private:
+  std::map<std::string, std::string> names_;
+};
+
 // Whether a difference between two rows is meaningful: both define the metric as the column does
 // and, if one is of another system, both use the same correction of the calibration.
 bool AreComparable(const RowRuns& row, const RowRuns& reference, const Column& column);
-
-// The runs of a row and of its reference, with the keys that identify rows.
-struct PairedRows {
-  const std::vector<std::string>& keys;
-  const RowRuns& row;
-  const RowRuns& reference;
-  std::string reference_label;
-};
 
 // The mean of a metric over the runs of a row: over seeds, then bodies, then scenes.
 Cell MakeCell(const RowRuns& row, const std::vector<std::string>& keys, const Column& column);
 
 // The paired difference of a row to its reference. Empty if the two have nothing in common.
-std::optional<Difference> MakeDifference(const PairedRows& rows, const Column& column);
+std::optional<Difference> MakeDifference(const RowRuns& row, const RowRuns& reference,
+                                         const std::vector<std::string>& keys,
+                                         const Column& column);
 
 // Corrects the p-values of differences that are read together for their number (Holm), and marks
 // those that are distinguishable from noise.

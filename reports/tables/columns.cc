@@ -18,14 +18,12 @@ bool Contains(const std::vector<std::string>& keys, const std::string& key) {
 // The last row before this one, of the same sequence if the rows have that key.
 const RowRuns* FindRowAbove(const std::vector<RowRuns>& rows, const RowRuns& row,
                             const std::vector<std::string>& keys) {
+  const auto at =
+      static_cast<std::size_t>(std::find(keys.begin(), keys.end(), "sequence") - keys.begin());
   const RowRuns* above = nullptr;
   for (const RowRuns& other : rows) {
-    if (&other == &row || other.keys == row.keys) break;
-    bool is_alike = true;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      is_alike = is_alike && (keys[i] != "sequence" || other.keys[i] == row.keys[i]);
-    }
-    if (is_alike) above = &other;
+    if (other.keys == row.keys) break;
+    if (at == keys.size() || other.keys[at] == row.keys[at]) above = &other;
   }
   return above;
 }
@@ -34,53 +32,52 @@ Contract SharedContract(const RunSummary& run, const MetricValue& metric) {
   return ColumnContract(metric.contract, run.sequence.range());
 }
 
-struct Meaning {
-  const RunSummary* run;
-  const MetricValue* metric;
-  Contract contract;
+// The first thing that two runs state differently about a metric, with what each states.
+struct Differing {
+  std::string field;  // "unit" or a field of the contract; empty: nothing
+  std::string in_a;
+  std::string in_b;
 };
-
-void CheckSame(const Meaning& a, const Meaning& b) {
-  const auto refuse = [&](const std::string& field, const std::string& in_a,
-                          const std::string& in_b) {
-    ThrowError("metric " + a.metric->name,
-               StrCat(a.run->file.string(), " with ", field, " \"", in_a, "\" and ",
-                      b.run->file.string(), " with ", field, " \"", in_b, "\""),
-               StrCat("one ", field == "unit" ? "unit" : "contract", " in a table"));
-  };
-  const std::string field = FirstDifference(a.contract, b.contract);
-  if (!field.empty()) {
-    refuse(field, FieldText(a.contract, field), FieldText(b.contract, field));
-  }
-  if (a.metric->unit != b.metric->unit) {
-    refuse("unit", NameOf(a.metric->unit), NameOf(b.metric->unit));
-  }
+Differing CompareMeaning(const std::string& unit_a, const Contract& a, const std::string& unit_b,
+                         const Contract& b) {
+  if (unit_a != unit_b) return {"unit", unit_a, unit_b};
+  const std::string field = FirstDifference(a, b);
+  return field.empty() ? Differing() : Differing{field, FieldText(a, field), FieldText(b, field)};
 }
 
-Meaning WithTruth(Meaning meaning) {
-  meaning.contract = WithTruthOf(meaning.contract, meaning.metric->contract);
-  return meaning;
-}
-
+// The column, if runs of our own or of other `systems` have a value for it. Their contracts must be
+// the same; the truth, too, within one type of dataset.
 std::optional<Column> MakeColumn(const std::string& name, const std::vector<SuiteRun>& runs,
                                  bool systems) {
-  std::vector<Meaning> kinds;  // the first run, then the first of each other type of dataset
-  for (const SuiteRun& run : runs) {
-    const MetricValue* metric = run.run ? FindMetric(*run.run, name) : nullptr;
-    if (metric == nullptr || run.planned.system.empty() == systems) continue;
-    const Meaning meaning{&*run.run, metric, SharedContract(*run.run, *metric)};
-    if (!kinds.empty()) CheckSame(kinds[0], meaning);
-    const auto same_type = std::find_if(kinds.begin(), kinds.end(), [&](const Meaning& kind) {
-      return kind.run->sequence.type == meaning.run->sequence.type;
-    });
-    if (same_type == kinds.end()) {
-      kinds.push_back(meaning);
-    } else {
-      CheckSame(WithTruth(*same_type), WithTruth(meaning));
+  using Meaning = std::pair<const RunSummary*, const MetricValue*>;
+  std::optional<Meaning> first;
+  std::map<std::string, Meaning> of_type;
+  for (const SuiteRun& suite_run : runs) {
+    if (!suite_run.run || suite_run.planned.system.empty() == systems) continue;
+    const RunSummary& run = *suite_run.run;
+    const MetricValue* metric = FindMetric(run, name);
+    if (metric == nullptr) continue;
+    if (!first) first = {&run, metric};
+    const Meaning& alike =
+        of_type.try_emplace(run.sequence.type, Meaning{&run, metric}).first->second;
+    for (const auto& [other, with_truth] : {std::pair{*first, false}, std::pair{alike, true}}) {
+      const auto contract_of = [&, with_truth = with_truth](const Meaning& meaning) {
+        const Contract contract = SharedContract(*meaning.first, *meaning.second);
+        return with_truth ? WithTruthOf(contract, meaning.second->contract) : contract;
+      };
+      const Differing differing = CompareMeaning(NameOf(other.second->unit), contract_of(other),
+                                                 NameOf(metric->unit), contract_of({&run, metric}));
+      if (differing.field.empty()) continue;
+      ThrowError("metric " + name,
+                 StrCat(other.first->file.string(), " with ", differing.field, " \"",
+                        differing.in_a, "\" and ", run.file.string(), " with ", differing.field,
+                        " \"", differing.in_b, "\""),
+                 "one unit and contract in a table");
     }
   }
-  if (kinds.empty()) return std::nullopt;
-  return Column{name, MetricLabel(name), NameOf(kinds[0].metric->unit), kinds[0].contract};
+  if (!first) return std::nullopt;
+  return Column{name, MetricLabel(name), NameOf(first->second->unit),
+                SharedContract(*first->first, *first->second)};
 }
 
 }  // namespace
@@ -156,15 +153,10 @@ std::vector<std::string> PooledKeys(const std::vector<SuiteRun>& runs,
 
 std::vector<std::string> WithCoverage(const std::vector<std::string>& metrics) {
   std::vector<std::string> all;
-  const auto has = [](const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
   for (const std::string& metric : metrics) {
     const std::string coverage = CoverageOf(metric);
-    if (!coverage.empty() && !has(metrics, coverage) && !has(all, coverage)) {
-      all.push_back(coverage);
-    }
-    if (!has(all, metric)) all.push_back(metric);
+    if (!coverage.empty() && !Contains(metrics, coverage)) AddOnce(coverage, all);
+    AddOnce(metric, all);
   }
   return all;
 }
@@ -184,12 +176,10 @@ std::string DifferingMeaning(const RowRuns& row, const Column& column) {
   for (const SuiteRun* run : row.runs) {
     const MetricValue* metric = run->run ? FindMetric(*run->run, column.metric) : nullptr;
     if (metric == nullptr) continue;
-    const Contract contract = SharedContract(*run->run, *metric);
-    const std::string field =
-        NameOf(metric->unit) != column.unit ? "unit" : FirstDifference(column.contract, contract);
-    if (field.empty()) return "";
-    return StrCat(field, " \"", field == "unit" ? NameOf(metric->unit) : FieldText(contract, field),
-                  "\"");
+    const Differing differing = CompareMeaning(column.unit, column.contract, NameOf(metric->unit),
+                                               SharedContract(*run->run, *metric));
+    if (differing.field.empty()) return "";
+    return StrCat(differing.field, " \"", differing.in_b, "\"");
   }
   return "";
 }

@@ -13,51 +13,40 @@ namespace {
 
 using Values = std::set<std::string>;
 
-// The variants and builds of the runs of one folder, and the options of its runs of some variants.
-struct Made {
-  Values variants;
-  Values builds;
-  std::map<std::string, Values> options;  // by path
-};
-
 Values VariantsOf(const std::vector<SuiteRun>& runs) {
   Values variants;
   for (const SuiteRun& run : runs) variants.insert(KeyOf(run.planned, "variant"));
   return variants;
 }
 
-Made MadeWith(const std::vector<SuiteRun>& runs, const Values& other_variants) {
-  Made made{VariantsOf(runs), {}, {}};
+// What the runs of a folder were made with, by what it is: variants, builds, and options of the
+// variants that the other folder has, too.
+std::map<std::string, Values> MadeWith(const std::vector<SuiteRun>& runs, const Values& others) {
+  std::map<std::string, Values> made = {{"variants", VariantsOf(runs)}};
   for (const SuiteRun& run : runs) {
     if (!run.run) continue;
     constexpr std::size_t kTold = 12;  // characters of a hash
-    if (!run.run->build.identity.empty()) {
-      made.builds.insert(run.run->build.identity.substr(0, kTold));
+    const std::string& build = run.run->build.identity;
+    if (!build.empty()) made["builds"].insert(build.substr(0, kTold));
+    if (!others.contains(KeyOf(run.planned, "variant"))) continue;
+    for (const auto& [path, value] : FlatJson(run.run->options)) {
+      made["option " + path].insert(value);
     }
-    if (!other_variants.contains(KeyOf(run.planned, "variant"))) continue;
-    for (const auto& [path, value] : FlatJson(run.run->options)) made.options[path].insert(value);
   }
   return made;
 }
 
-std::string ChangeOf(const Values& before, const Values& after) {
-  return StrCat(before.empty() ? "-" : Joined(before, " or "), " -> ",
-                after.empty() ? "-" : Joined(after, " or "));
-}
-
-// Describes in one line how the runs of two folders differ apart from their results: variants,
-// builds of the program, and options of the variants that both have.
+// How the runs of two folders differ apart from their results, in one line.
 std::string WhatDiffers(const std::vector<SuiteRun>& before, const std::vector<SuiteRun>& after) {
-  Made a = MadeWith(before, VariantsOf(after));
-  Made b = MadeWith(after, VariantsOf(before));
+  std::map<std::string, Values> a = MadeWith(before, VariantsOf(after));
+  std::map<std::string, Values> b = MadeWith(after, VariantsOf(before));
+  for (const auto& [what, values] : b) a[what];
   std::vector<std::string> parts;
-  if (a.variants != b.variants) parts.push_back("variants " + ChangeOf(a.variants, b.variants));
-  if (a.builds != b.builds) parts.push_back("builds " + ChangeOf(a.builds, b.builds));
-  for (const auto& [path, values] : b.options) a.options[path];
-  for (const auto& [path, values] : a.options) {
-    if (values != b.options[path]) {
-      parts.push_back(StrCat("option ", path, " ", ChangeOf(values, b.options[path])));
-    }
+  const auto text = [](const Values& values) {
+    return values.empty() ? "-" : Joined(values, " or ");
+  };
+  for (const auto& [what, values] : a) {
+    if (values != b[what]) parts.push_back(StrCat(what, " ", text(values), " -> ", text(b[what])));
   }
   if (parts.empty()) return "The two folders have the same options, builds and variants.";
   return StrCat("The two folders differ: ", Joined(parts, "; "), ".");

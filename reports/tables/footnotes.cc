@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
 
@@ -44,13 +43,12 @@ class NamesByText {
 
 // Explains each split that occurs in the rows.
 void AddSplits(const Table& table, Lines& lines) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> kSplits = {
-      {{"development", "options were chosen on these scenes, so the values are in-sample"},
-       {"test", "no option was chosen on these scenes"},
-       {"given", "recorded images"},
-       {"none", "scenes of neither the development nor the test split"}}};
-  for (const auto& [split, meaning] : kSplits) {
-    if (std::any_of(table.rows.begin(), table.rows.end(), [name = split](const Row& row) {
+  for (const auto& [split, meaning] :
+       {std::pair{"development", "options were chosen on these scenes, so values are in-sample"},
+        std::pair{"test", "no option was chosen on these scenes"},
+        std::pair{"given", "recorded images"},
+        std::pair{"none", "scenes of neither the development nor the test split"}}) {
+    if (std::ranges::any_of(table.rows, [name = split](const Row& row) {
           return row.split.find(name) != std::string::npos;
         })) {
       lines.push_back(StrCat("split ", split, ": ", meaning));
@@ -58,32 +56,37 @@ void AddSplits(const Table& table, Lines& lines) {
   }
 }
 
-void AddIntervals(const Table& table, Lines& lines) {
-  NamesByText meanings;
-  NamesByText pairings;
-  std::size_t differences = 0;
-  for (const Row& row : table.rows) {
-    for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const std::string name = ColumnName(table, i);
-      const auto& [interval, difference] = std::tie(row.cells[i].interval, row.cells[i].difference);
-      if (interval) meanings.Add(interval->meaning, name);
-      if (!difference) continue;
-      differences += difference->adjusted_p_value ? 1 : 0;
-      pairings.Add("compared on " + difference->pairing, name);
+// What values are means over, what intervals and stars mean.
+void AddStatistics(const Table& table, Lines& lines) {
+  NamesByText counts;
+  std::size_t intervals = 0;
+  std::size_t comparisons = 0;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    Lines of_rows;
+    for (const Row& row : table.rows) {
+      const Cell& cell = row.cells[i];
+      if (cell.value) AddOnce(CountsText(cell.n), of_rows);
+      intervals += cell.interval ? 1 : 0;
+      comparisons += cell.difference && cell.difference->adjusted_p_value ? 1 : 0;
     }
+    counts.Add(Joined(of_rows, " or "), ColumnName(table, i));
   }
-  meanings.Print("low..high, ", lines);
-  if (differences > 0) {
-    lines.push_back(StrCat(
-        "*: distinguishable from noise: the interval of the paired difference excludes 0, and its "
-        "p-value (Student's t over scenes), corrected for the ",
-        differences, " comparisons of this table (Holm), is below 0.05; never with fewer than ",
-        kMinPairs, " pairs"));
-  }
-  pairings.Print("", lines);
+  counts.Print("n, ", lines);
+  if (intervals > 0) lines.push_back(StrCat("low..high: ", kIntervalMeaning));
+  if (comparisons == 0) return;
+  lines.push_back(StrCat(
+      "*: distinguishable from noise: the interval of the paired difference excludes 0, and its "
+      "p-value (Student's t over scenes), corrected for the ",
+      comparisons, " comparisons of this table (Holm), is below 0.05; never with fewer than ",
+      kMinPairs, " pairs"));
+  lines.emplace_back(
+      "differences are over what both rows have: errors of bodies that both estimate (object ATE: "
+      "in the frames that both estimate), otherwise all visible object-frames; metrics of runs "
+      "over "
+      "the same scenes and seeds");
 }
 
-// Adds the remarks about cells. Those that are the same for several rows are listed once.
+// Remarks about cells. Those that are the same for several rows are listed once.
 void AddCells(const Table& table, Lines& lines) {
   NamesByText rows;
   for (const Row& row : table.rows) {
@@ -104,45 +107,39 @@ void AddCells(const Table& table, Lines& lines) {
   rows.Print("", lines, "; ");
 }
 
-// What the values of each column are means over.
-void AddCounts(const Table& table, Lines& lines) {
-  NamesByText counts;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    Lines of_rows;
-    for (const Row& row : table.rows) {
-      if (row.cells[i].value) AddOnce(CountsText(row.cells[i].n), of_rows);
-    }
-    counts.Add(Joined(of_rows, " or "), ColumnName(table, i));
-  }
-  counts.Print("n, ", lines);
-}
-
-// The sources of reference rows, each with the distinct reasons why its figures are not comparable,
-// and what was inferred about them.
+// The sources of reference rows, with what is not comparable about their figures or was inferred.
 void AddReferences(const Table& table, Lines& lines) {
-  bool any_differs = !table.others.empty();
   std::map<std::string, Lines> reasons;  // by source
   for (const Row& row : table.rows) {
     for (const ReferenceRow& line : row.reference) {
       for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const ReferenceCell* cell = line.Find(table.columns[i]);
-        if (cell == nullptr) continue;
-        any_differs = any_differs || cell->match != Match::kMatches;
-        if (cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
+        if (cell == nullptr || cell->reason.empty() || cell->match == Match::kOtherFrames) continue;
         AddOnce(ColumnName(table, i) + " " + cell->reason, reasons[line.source]);
       }
     }
   }
-  if (any_differs) {
+  if (!table.sources.empty()) {
     lines.emplace_back(
         "(in brackets): not comparable with ours: other scenes, frames or images, or a metric that "
         "differs or that the source does not define");
   }
   for (const ReferenceSource& source : table.sources) {
-    std::string note = SourceMark(table, source.id) + " " + source.source;
-    if (!source.caveat.empty()) note += "; " + source.caveat;
-    for (const std::string& reason : reasons[source.id]) note += "; " + reason;
-    lines.push_back(note);
+    lines.push_back(StrCat(SourceMark(table, source.id), " ", source.source,
+                           source.caveat.empty() ? "" : "; ", source.caveat));
+    for (const std::string& reason : reasons[source.id]) lines.back() += "; " + reason;
+  }
+}
+
+void AddDefinitions(const Table& table, Lines& lines) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const std::string definition =
+        Joined(ContractTexts(table.columns[i].contract), "; ", [](const auto& part) {
+          const auto& [field, text] = part;
+          const bool named = field == "poses" || field == "delta" || field == "alignment";
+          return named ? field + " " + text : text;
+        });
+    if (!definition.empty()) lines.push_back(StrCat(ColumnName(table, i), ": ", definition));
   }
 }
 
@@ -166,10 +163,12 @@ std::string JobsText(const JobCounts& jobs) {
 
 std::string CountsText(const Counts& n) {
   Lines counts;
-  if (n.bodies > 0) counts.push_back(Counted(n.bodies, "body", "bodies"));
-  if (n.scenes > 0) counts.push_back(Counted(n.scenes, "scene"));
-  if (n.seeds > 0) counts.push_back(Counted(n.seeds, "seed"));
-  if (n.runs > 0) counts.push_back(Counted(n.runs, "run"));
+  for (const auto& [count, one, many] : {std::tuple{n.bodies, "body", "bodies"},
+                                         {n.scenes, "scene", ""},
+                                         {n.seeds, "seed", ""},
+                                         {n.runs, "run", ""}}) {
+    if (count > 0) counts.push_back(Counted(count, one, many));
+  }
   return Joined(counts, ", ");
 }
 
@@ -205,23 +204,9 @@ std::vector<std::string> Footnotes(const Table& table) {
                            option.default_value.empty() ? "none" : option.default_value, ")"));
   }
   AddCells(table, lines);
-  AddCounts(table, lines);
-  AddIntervals(table, lines);
+  AddStatistics(table, lines);
   AddReferences(table, lines);
-  return lines;
-}
-
-std::vector<std::string> Definitions(const Table& table) {
-  Lines lines;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const std::string definition =
-        Joined(ContractTexts(table.columns[i].contract), "; ", [](const auto& part) {
-          const auto& [field, text] = part;
-          const bool named = field == "poses" || field == "delta" || field == "alignment";
-          return named ? field + " " + text : text;
-        });
-    if (!definition.empty()) lines.push_back(StrCat(ColumnName(table, i), ": ", definition));
-  }
+  AddDefinitions(table, lines);
   return lines;
 }
 

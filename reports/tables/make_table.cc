@@ -46,16 +46,11 @@ std::string SplitOf(const RowRuns& row) {
 }
 
 JobCounts CountJobs(const std::vector<const SuiteRun*>& runs) {
-  JobCounts counts;
-  counts.planned = runs.size();
-  for (const SuiteRun* run : runs) {
-    counts.done += run->run ? 1 : 0;
-    counts.lost += run->state == "lost" ? 1 : 0;
-    counts.failed += run->state == "failed" ? 1 : 0;
-    counts.not_run += run->state == "not run" ? 1 : 0;
-    counts.no_data += run->state == "no data" ? 1 : 0;
-  }
-  return counts;
+  const auto in = [&runs](const char* state) {
+    return static_cast<std::size_t>(std::ranges::count(runs, state, &SuiteRun::state));
+  };
+  return {runs.size(),  in("ok") + in("lost"), in("lost"),
+          in("failed"), in("not run"),         in("no data")};
 }
 
 // Describes a row without its cells. Links are relative to `folder`. The sequence has its name in
@@ -129,86 +124,75 @@ Provenance DescribeRuns(const std::vector<SuiteRun>& runs, const std::string& de
   return provenance;
 }
 
-// Whether all rows are based on the same scenes and repetitions.
-bool HaveSameRuns(const std::vector<RowRuns>& rows, const std::vector<std::string>& keys) {
-  std::set<std::set<std::string>> runs;
-  for (const RowRuns& row : rows) {
-    std::set<std::string> names;
-    for (const SuiteRun* run : row.runs) {
-      if (run->run) names.insert(StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys)));
-    }
-    runs.insert(std::move(names));
-  }
-  return runs.size() <= 1;
-}
-
-// The values of all runs of a row, by scene, repetition and metric.
-std::string ValuesOf(const RowRuns& row, const std::vector<std::string>& keys) {
-  std::set<std::string> values;
+// The values of a row by scene and repetition.
+std::map<std::string, std::string> ValuesOf(const RowRuns& row,
+                                            const std::vector<std::string>& keys) {
+  std::map<std::string, std::string> values;
   for (const SuiteRun* run : row.runs) {
     if (!run->run) continue;
-    const std::string of = StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys), " ");
+    std::string& text = values[StrCat(SceneOf(*run), " ", RepetitionOf(*run, keys))];
     for (const MetricValue& metric : run->run->metrics) {
-      values.insert(StrCat(of, metric.name, " ", FormatDouble(metric.value)));
+      text += StrCat(metric.name, " ", FormatDouble(metric.value), "\n");
     }
-    if (run->run->bodies) values.insert(of + DumpJson(ToJson(*run->run->bodies)));
+    if (run->run->bodies) text += DumpJson(ToJson(*run->run->bodies));
   }
-  return Joined(values, "\n");
+  return values;
 }
 
-// Notes about rows whose runs have the same values, down to the last bit.
-void NoteEqualRows(const std::vector<RowRuns>& rows, Table& table) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> labels;
+// Notes about rows that are based on different runs, unless they are of different scenes anyway,
+// and about rows with the same values in every run, down to the last bit.
+void CompareRows(const std::vector<RowRuns>& rows, bool by_sequence, Table& table) {
+  std::vector<std::pair<std::map<std::string, std::string>, std::vector<std::string>>> alike;
+  std::set<std::string> runs;
   for (const RowRuns& row : rows) {
-    const std::string values = ValuesOf(row, table.keys);
+    std::map<std::string, std::string> values = ValuesOf(row, table.keys);
+    runs.insert(Joined(values, "\n", &decltype(values)::value_type::first));
     if (values.empty()) continue;
-    auto& [all, of_rows] = FindOrAdd(labels, &decltype(labels)::value_type::first, {values, {}});
-    of_rows.push_back(Joined(row.keys, " "));
+    FindOrAdd(alike, &decltype(alike)::value_type::first, {values, {}})
+        .second.push_back(Joined(row.keys, " "));
   }
-  for (const auto& [values, of_rows] : labels) {
-    if (of_rows.size() < 2) continue;
+  if (!by_sequence && runs.size() > 1) {
+    table.notes.emplace_back(
+        "rows are based on different runs: compare them by their paired differences only");
+  }
+  for (const auto& [values, labels] : alike) {
+    if (labels.size() < 2) continue;
     table.notes.push_back(
-        Joined(of_rows, " = ") +
+        Joined(labels, " = ") +
         ": the same values in every run, so what tells them apart changed nothing");
   }
 }
 
-// What a reader must know to compare rows: corrected calibrations, perturbed images, what rows
-// average over, several builds.
-std::vector<std::string> TableNotes(const std::vector<SuiteRun>& runs, const Table& table) {
-  std::vector<std::string> notes;
-  const bool by_sequence =
-      std::find(table.keys.begin(), table.keys.end(), "sequence") != table.keys.end();
-  // If rows vary the perturbation, they say themselves what was done.
-  const bool by_perturbation =
-      std::any_of(table.keys.begin(), table.keys.end(),
-                  [](const std::string& key) { return key.starts_with("perturb."); });
+// What a reader must know to compare rows: corrected calibrations, perturbed images (unless rows
+// vary the perturbation and say so themselves), what rows average over, several builds.
+void AddNotes(const std::vector<SuiteRun>& runs, Table& table) {
+  const bool by_perturbation = std::ranges::any_of(
+      table.keys, [](const std::string& key) { return key.starts_with("perturb."); });
   for (const SuiteRun& run : runs) {
-    if (!run.run || run.run->sequence.camera.right_shift_px == 0.0) continue;
-    AddOnce(StrCat(KeyOf(run.planned, "sequence"), ", ", KeyOf(run.planned, "variant"),
-                   ": calibration corrected, u_right by ", run.run->sequence.camera.right_shift_px,
-                   " px; not comparable with rows on the published calibration"),
-            notes);
-  }
-  for (const SuiteRun& run : runs) {
-    if (!run.run || !run.run->sequence.perturbation || by_perturbation) continue;
-    AddOnce(StrCat(KeyOf(run.planned, "sequence"),
-                   ": images or calibration perturbed: ", run.run->sequence.perturbation->dump()),
-            notes);
+    if (!run.run) continue;
+    const RunSequence& sequence = run.run->sequence;
+    const std::string name = KeyOf(run.planned, "sequence");
+    if (sequence.camera.right_shift_px != 0.0) {
+      AddOnce(StrCat(name, ", ", KeyOf(run.planned, "variant"),
+                     ": calibration corrected, u_right by ", sequence.camera.right_shift_px,
+                     " px; not comparable with rows on the published calibration"),
+              table.notes);
+    }
+    if (sequence.perturbation && !by_perturbation) {
+      AddOnce(name + ": images or calibration perturbed: " + sequence.perturbation->dump(),
+              table.notes);
+    }
   }
   for (const std::string& pooled : PooledKeys(runs, table.keys)) {
-    notes.push_back("rows are means over " + pooled);
+    table.notes.push_back("rows are means over " + pooled);
   }
-  if (!by_sequence && !HaveSameRuns(GroupRuns(runs, table.keys), table.keys)) {
-    notes.emplace_back(
-        "rows are based on different runs: compare them by their paired differences only");
-  }
+  const bool by_sequence = FindBy(table.keys, std::identity(), std::string("sequence")) != nullptr;
+  CompareRows(GroupRuns(runs, table.keys), by_sequence, table);
   const std::size_t builds = table.provenance.builds.size();
   if (builds > 1) {
-    notes.push_back(StrCat("results come from ", builds,
-                           " builds of the program: run the suite again to have one"));
+    table.notes.push_back(StrCat("results come from ", builds,
+                                 " builds of the program: run the suite again to have one"));
   }
-  return notes;
 }
 
 }  // namespace
@@ -225,14 +209,12 @@ Table DescribeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
   table.jobs = CountJobs(all);
   table.problems = ListProblems(GroupRuns(runs, plan.rows));
   table.provenance = DescribeRuns(runs, default_options);
-  table.notes = TableNotes(runs, table);
-  NoteEqualRows(GroupRuns(runs, plan.rows), table);
+  AddNotes(runs, table);
   return table;
 }
 
 void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& folder,
              const ReferenceOf& reference_of, Table& table) {
-  std::vector<Difference*> differences;
   for (const RowRuns& runs : rows) {
     Row row = DescribeRow(runs, folder);
     const RowRuns* reference = reference_of(runs);
@@ -240,12 +222,13 @@ void AddRows(const std::vector<RowRuns>& rows, const std::filesystem::path& fold
       Cell cell = MakeCell(runs, table.keys, column);
       cell.not_comparable = DifferingMeaning(runs, column);
       if (reference != nullptr && cell.value && AreComparable(runs, *reference, column)) {
-        cell.difference = MakeDifference({table.keys, runs, *reference, table.reference}, column);
+        cell.difference = MakeDifference(runs, *reference, table.keys, column);
       }
       row.cells.push_back(std::move(cell));
     }
     table.rows.push_back(std::move(row));
   }
+  std::vector<Difference*> differences;
   for (Row& row : table.rows) {
     for (Cell& cell : row.cells) {
       if (cell.difference) differences.push_back(&*cell.difference);

@@ -11,6 +11,7 @@
 
 #include "core/base/lists.h"
 #include "core/record/run_summary.h"
+#include "reports/statistics/estimate.h"
 
 namespace cvo::reports {
 
@@ -33,13 +34,11 @@ struct Column {
   CVO_FIELDS(metric, label, unit, contract);
 };
 
-struct Interval {
-  double low = 0.0;
-  double high = 0.0;
-  std::string meaning;  // what was resampled, in words
-
-  CVO_FIELDS(low, high, meaning);
-};
+// What the intervals of values and differences are, for notes and captions.
+inline constexpr char kIntervalMeaning[] =
+    "95 %, bootstrap over scenes within their families, with seeds averaged; of a single scene "
+    "over "
+    "its bodies, which says nothing about other scenes, or from its least run to its largest";
 
 // What a value is a mean over.
 struct Counts {
@@ -52,23 +51,13 @@ struct Counts {
 };
 
 // A cell compared with the same cell of the reference row, both over what the two have in common.
-struct Difference {
-  std::string reference;  // label of the row
-  double value = 0.0;     // of this cell, over what is common
-  double reference_value = 0.0;
-  double difference = 0.0;
-  std::optional<Interval> interval;
-  std::optional<double> percent;  // the difference in percent of the reference
+struct Difference : PairedEstimate {
   // The interval excludes 0, adjusted_p_value is below 5 %, and there are enough pairs.
   bool distinguishable = false;
-  std::size_t pairs = 0;                        // scenes, or bodies of the only scene
-  std::string pairing;                          // what the two have in common
-  std::optional<double> p_value = {};           // of this comparison, uncorrected
   std::optional<double> adjusted_p_value = {};  // corrected for all comparisons of the table (Holm)
 
-  CVO_RECORD(CVO_FIELD(reference, value, reference_value, difference)
-                 CVO_OPTIONAL(interval, percent) CVO_FIELD(distinguishable, pairs, pairing)
-                     CVO_OPTIONAL(p_value, adjusted_p_value));
+  CVO_RECORD(CVO_FIELD(value, reference_value, difference) CVO_OPTIONAL(interval, percent)
+                 CVO_FIELD(distinguishable, pairs) CVO_OPTIONAL(p_value, adjusted_p_value));
 };
 
 struct Cell {
@@ -77,12 +66,11 @@ struct Cell {
   std::optional<Interval> interval;
   std::optional<Difference> difference;
   std::string left_out;
-  std::string message;            // why there is no value
-  std::string not_comparable;     // why the value is not comparable with the others of its column
-  std::vector<std::size_t> runs;  // indices into Row::runs
+  std::string message;         // why there is no value
+  std::string not_comparable;  // why the value is not comparable with the others of its column
 
   CVO_RECORD(CVO_OPTIONAL(value) CVO_FIELD(n)
-                 CVO_OPTIONAL(interval, difference, left_out, message, not_comparable, runs));
+                 CVO_OPTIONAL(interval, difference, left_out, message, not_comparable));
 };
 
 // Whether a reference figure is comparable with ours in the same row and column, and if not, why.
@@ -191,7 +179,7 @@ struct Provenance {
 
 // The contents of table.json.
 struct Table {
-  static constexpr int kSchemaVersion = 4;
+  static constexpr int kSchemaVersion = 5;
   static constexpr const char* kKind = "table";
 
   std::string title;

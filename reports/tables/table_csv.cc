@@ -29,83 +29,40 @@ bool LooksLikeFormula(const std::string& text) {
              std::u32string_view::npos;
 }
 
-class Record {
- public:
-  void Text(const std::string& text) { fields_.push_back(CsvField(text)); }
-  void Number(const std::optional<double>& value) {
-    fields_.push_back(value ? FormatDouble(*value) : "");
-  }
-  void Count(std::size_t count) { fields_.push_back(StrCat(count)); }
-  void Ends(const std::optional<Interval>& interval) {
-    Number(interval ? std::optional(interval->low) : std::nullopt);
-    Number(interval ? std::optional(interval->high) : std::nullopt);
-  }
-  void Blanks(std::size_t count) { fields_.resize(fields_.size() + count); }
-  std::string Line() const { return Joined(fields_, ",") + "\r\n"; }
+using Fields = std::vector<std::string>;
 
- private:
-  std::vector<std::string> fields_;
-};
-
-// The fields that begin each record of a line: whose figures they are, and of which frames.
-Record HeadOf(const Table& table, const TextLine& line) {
-  Record record;
-  for (std::size_t i = 0; i < table.keys.size(); ++i) {
-    record.Text(line.row != nullptr ? line.row->keys[i] : "");
-  }
-  if (const ReferenceRow* theirs = line.theirs) {
-    record.Text(theirs->system);
-    record.Text(FindBy(table.sources, &ReferenceSource::id, theirs->source)->source);
-    record.Text(theirs->frames > 0 ? FrameRange(theirs->first_frame, theirs->frames) : "");
-    record.Blanks(4);
-    return record;
-  }
-  const Row& row = *line.row;
-  record.Blanks(2);
-  record.Text(row.sequence ? FrameRange(row.sequence->first_frame, row.sequence->frames) : "");
-  record.Text(TruthText(row.truth));
-  record.Text(row.split);
-  record.Count(row.jobs.done);
-  record.Count(row.jobs.planned);
-  return record;
+void AddNumber(const std::optional<double>& value, Fields& fields) {
+  fields.push_back(value ? FormatDouble(*value) : "");
 }
 
-std::string Marks(const CellText& cell) {
-  std::vector<std::string> marks;
-  if (cell.distinguishable) marks.emplace_back("distinguishable");
-  if (cell.grey) marks.emplace_back("not comparable");
-  if (cell.value == "-") marks.emplace_back("missing");
-  return Joined(marks, " ");
+void AddEnds(const std::optional<Interval>& interval, Fields& fields) {
+  fields.push_back(interval ? FormatDouble(interval->low) : "");
+  fields.push_back(interval ? FormatDouble(interval->high) : "");
 }
 
+constexpr std::array kHead = {"frames", "truth", "split", "runs_done", "runs_planned"};
 constexpr std::array kFields = {" low", " high", " n", " marks", " note"};
 constexpr std::array kDifferenceFields = {" difference", " difference low", " difference high",
                                           " adjusted p"};
 
 // The value and kFields.
-void AddCell(const TextLine& line, const ReferenceCell* theirs, std::size_t column,
-             Record& record) {
-  const CellText& text = line.cells[column];
-  if (line.theirs != nullptr) {
-    record.Number(theirs != nullptr ? std::optional(theirs->value) : std::nullopt);
-    record.Blanks(3);
-  } else {
-    record.Number(line.row->cells[column].value);
-    record.Ends(line.row->cells[column].interval);
-    record.Text(text.n);
-  }
-  record.Text(Marks(text));
-  record.Text(text.note);
+void AddCell(const Cell& cell, const CellText& text, Fields& fields) {
+  AddNumber(cell.value, fields);
+  AddEnds(cell.interval, fields);
+  fields.push_back(CsvField(text.n));
+  Fields marks;
+  if (text.distinguishable) marks.emplace_back("distinguishable");
+  if (text.grey) marks.emplace_back("not comparable");
+  if (!cell.value) marks.emplace_back("missing");
+  fields.push_back(Joined(marks, " "));
+  fields.push_back(CsvField(text.note));
 }
 
-void AddDifference(const TextLine& line, std::size_t column, Record& record) {
-  if (line.theirs != nullptr || !line.row->cells[column].difference) {
-    return record.Blanks(kDifferenceFields.size());
-  }
-  const Difference& difference = *line.row->cells[column].difference;
-  record.Number(difference.difference);
-  record.Ends(difference.interval);
-  record.Number(difference.adjusted_p_value);
+void AddDifference(const std::optional<Difference>& difference, Fields& fields) {
+  if (!difference) return fields.resize(fields.size() + kDifferenceFields.size());
+  AddNumber(difference->difference, fields);
+  AddEnds(difference->interval, fields);
+  AddNumber(difference->adjusted_p_value, fields);
 }
 
 }  // namespace
@@ -122,26 +79,31 @@ std::string CsvField(const std::string& text) {
 
 std::string TableCsv(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  Record header;
-  for (const std::string& key : table.keys) header.Text(key);
-  for (const char* name :
-       {"system", "source", "frames", "truth", "split", "runs_done", "runs_planned"}) {
-    header.Text(name);
-  }
+  Fields header;
+  for (const std::string& key : table.keys) header.push_back(CsvField(key));
+  header.insert(header.end(), kHead.begin(), kHead.end());
   for (const Column& column : table.columns) {
-    header.Text(column.metric + (column.unit == "1" ? "" : StrCat(" [", column.unit, "]")));
-    for (const char* what : kFields) header.Text(column.metric + what);
+    header.push_back(
+        CsvField(column.metric + (column.unit == "1" ? "" : StrCat(" [", column.unit, "]"))));
+    for (const char* what : kFields) header.push_back(CsvField(column.metric + what));
     if (table.reference.empty()) continue;
-    for (const char* what : kDifferenceFields) header.Text(column.metric + what);
+    for (const char* what : kDifferenceFields) header.push_back(CsvField(column.metric + what));
   }
-  std::string csv = header.Line();
+  std::string csv = Joined(header, ",") + "\r\n";
   for (const TextLine& line : texts.blocks[0].lines) {
-    Record record = HeadOf(table, line);
+    if (line.theirs != nullptr) continue;
+    const Row& row = *line.row;
+    Fields fields;
+    for (const std::string& key : row.keys) fields.push_back(CsvField(key));
+    fields.push_back(row.sequence ? FrameRange(row.sequence->first_frame, row.sequence->frames)
+                                  : "");
+    fields.insert(fields.end(), {CsvField(TruthText(row.truth)), CsvField(row.split),
+                                 StrCat(row.jobs.done), StrCat(row.jobs.planned)});
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-      AddCell(line, line.theirs ? line.theirs->Find(table.columns[i]) : nullptr, i, record);
-      if (!table.reference.empty()) AddDifference(line, i, record);
+      AddCell(row.cells[i], line.cells[i], fields);
+      if (!table.reference.empty()) AddDifference(row.cells[i].difference, fields);
     }
-    csv += record.Line();
+    csv += Joined(fields, ",") + "\r\n";
   }
   return csv;
 }

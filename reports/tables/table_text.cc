@@ -20,13 +20,6 @@ constexpr std::size_t kRows = 31;  // of 40 lines, without title, headings, note
 constexpr std::size_t kColumns = 6;
 constexpr std::size_t kLeastLabel = 24;
 
-// One column of the short table: a metric, or two whose values share a cell.
-struct ShortColumn {
-  std::vector<std::size_t> columns;  // of the table
-  std::array<std::string, 2> heading;
-  std::size_t width = 0;
-};
-
 std::string Shortened(std::string text, std::size_t width) {
   if (Width(text) <= width) return text;
   while (Width(text) >= width) text.pop_back();
@@ -45,43 +38,11 @@ std::array<std::string, 2> TwoLines(const std::string& text) {
   return best;
 }
 
-// The columns that tell most, then those that the table begins with.
-std::vector<ShortColumn> ShortColumns(const Table& table, const TableTexts& texts) {
-  std::vector<std::vector<std::size_t>> picked;
-  std::vector<std::size_t> used;
-  const auto index_of = [&](const char* metric) {
-    const Column* column = FindBy(table.columns, &Column::metric, metric);
-    return static_cast<std::size_t>(column == nullptr ? -1 : column - table.columns.data());
-  };
-  for (const auto& [first, second] : {std::pair{"object_success_10cm", ""},
-                                      {"object_ate", ""},
-                                      {"object_coverage", ""},
-                                      {"object_id_switches", ""},
-                                      {"moving_precision", "moving_recall"},
-                                      {"camera_ate", ""}}) {
-    std::vector<std::size_t> columns;
-    for (const std::size_t index : {index_of(first), index_of(second)}) {
-      if (index < table.columns.size()) columns.push_back(index);
-    }
-    used.insert(used.end(), columns.begin(), columns.end());
-    if (!columns.empty()) picked.push_back(columns);
-  }
-  for (std::size_t i = 0; i < table.columns.size() && picked.size() < kColumns; ++i) {
-    if (std::find(used.begin(), used.end(), i) == used.end()) picked.push_back({i});
-  }
-  std::vector<ShortColumn> columns;
-  for (const std::vector<std::size_t>& of : picked) {
-    columns.push_back({of, TwoLines(of.size() == 2 ? "moving prec./recall"
-                                                   : texts.columns[of.front()].Heading())});
-  }
-  return columns;
-}
-
 // The value, or two with a slash; with a star if one is distinguishable from the reference.
-std::string ShortCell(const TextLine& line, const ShortColumn& column) {
+std::string ShortCell(const TextLine& line, const std::vector<std::size_t>& columns) {
   std::string text;
   std::string mark = " ";
-  for (const std::size_t i : column.columns) {
+  for (const std::size_t i : columns) {
     const std::string shown = line.cells[i].Shown();
     if (!shown.empty()) text += (text.empty() ? "" : "/") + shown;
     if (line.cells[i].distinguishable) mark = "*";
@@ -108,23 +69,23 @@ std::string ShortLabel(const Table& table, const TextLine& line) {
   return Joined(parts, " ");
 }
 
-// Three lines at most: what ran, what a reader must know, and where the rest is.
+// Two lines at most: what ran, and what a reader must know.
 Cells ShortNotes(const Table& table, const TableTexts& texts) {
   std::size_t scenes = 0;
+  bool stars = false;
+  bool grey = false;
   for (const Row& row : table.rows) {
     for (const Cell& cell : row.cells) scenes = std::max(scenes, cell.n.scenes);
   }
-  Cells notes = {StrCat(JobsText(table.jobs), ", ", Counted(scenes, "scene"), " a row")};
-  const auto has = [&](const auto& is) {
-    return std::any_of(texts.blocks[0].lines.begin(), texts.blocks[0].lines.end(),
-                       [&](const TextLine& line) {
-                         return std::any_of(line.cells.begin(), line.cells.end(), is);
-                       });
-  };
-  if (has([](const CellText& cell) { return cell.distinguishable; })) {
-    notes[0] += "; *: differs from " + Printable(table.reference) + " by more than noise";
+  for (const TextLine& line : texts.blocks[0].lines) {
+    for (const CellText& cell : line.cells) {
+      stars = stars || cell.distinguishable;
+      grey = grey || cell.grey;
+    }
   }
-  if (has([](const CellText& cell) { return cell.grey; })) notes[0] += "; (..): not comparable";
+  Cells notes = {StrCat(JobsText(table.jobs), ", ", Counted(scenes, "scene"), " a row",
+                        stars ? "; *: differs from " + table.reference + " by more than noise" : "",
+                        grey ? "; (..): not comparable" : "")};
   Cells remarks = ProblemTexts(table);
   remarks.insert(remarks.end(), table.notes.begin(), table.notes.end());
   if (remarks.size() > 1) {
@@ -132,9 +93,14 @@ Cells ShortNotes(const Table& table, const TableTexts& texts) {
     remarks = {Shortened(Printable(remarks.front()), kWidth - more.size()) + more};
   }
   notes.insert(notes.end(), remarks.begin(), remarks.end());
-  notes.emplace_back("all columns, intervals, differences and notes: --all");
   for (std::string& note : notes) note = Shortened(Printable(note), kWidth);
   return notes;
+}
+
+Cells HeaderOf(const TableTexts& texts) {
+  Cells header = texts.text_header;
+  header.insert(header.end(), texts.columns.begin(), texts.columns.end());
+  return header;
 }
 
 std::string Padded(const std::string& text, std::size_t width) {
@@ -153,31 +119,17 @@ std::string CellMarkdown(const CellText& cell) {
   if (cell.distinguishable) text += "\\*";
   if (!cell.interval.empty()) text += " (" + cell.interval + ")";
   if (!cell.percent.empty()) text += "; " + cell.percent;
-  return text;
+  return cell.grey ? "*" + text + "*" : text;
 }
 
 std::string LineMarkdown(const TextLine& line) {
-  std::string text;
-  const auto add = [&text](const std::string& cell, bool grey) {
-    text += grey && !cell.empty() ? "| *" + cell + "* " : "| " + cell + " ";
-  };
-  for (const std::string& cell : line.texts) add(MarkdownEscaped(cell), line.grey);
-  for (const CellText& cell : line.cells) add(CellMarkdown(cell), cell.grey);
-  return text + "|\n";
-}
-
-std::string HeaderMarkdown(const TableTexts& texts) {
-  std::string header;
-  std::string rule;
-  for (const std::string& name : texts.text_header) {
-    header += "| " + MarkdownEscaped(name) + " ";
-    rule += "|---";
+  Cells cells;
+  for (const std::string& text : line.texts) {
+    const std::string escaped = MarkdownEscaped(text);
+    cells.push_back(line.grey && !text.empty() ? "*" + escaped + "*" : escaped);
   }
-  for (const ColumnText& column : texts.columns) {
-    header += "| " + MarkdownEscaped(column.Heading()) + " ";
-    rule += "|---:";
-  }
-  return header + "|\n" + rule + "|\n";
+  for (const CellText& cell : line.cells) cells.push_back(CellMarkdown(cell));
+  return "| " + Joined(cells, " | ") + " |\n";
 }
 
 // Brackets and stars in braces: LaTeX would take them for arguments of the end of the row before.
@@ -201,35 +153,12 @@ std::string LatexEscaped(const std::string& text) {
   return escaped;
 }
 
-// A number or a range of two, with proper minus signs.
-std::string LatexNumber(const std::string& text) {
-  if (text == "-") return "--";
-  std::string number;
-  for (const char c : text) number += c == '-' ? "$-$" : c == '%' ? "\\%" : std::string(1, c);
-  return number;
-}
-
+// With proper minus signs.
 std::string LatexCell(const CellText& cell) {
-  return LatexNumber(cell.Shown()) + (cell.distinguishable ? "\\rlap{$^{*}$}" : "");
-}
-
-// A row of values and, as far as some cell has one, rows of intervals and of percentages.
-std::string LineLatex(const TextLine& line) {
-  Cells cells;
-  for (const std::string& text : line.texts) cells.push_back(LatexEscaped(text));
-  for (const CellText& cell : line.cells) cells.push_back(LatexCell(cell));
-  std::string latex = Joined(cells, " & ") + " \\\\\n";
-  for (const auto part : {&CellText::interval, &CellText::percent}) {
-    cells.assign(line.texts.size(), "");
-    bool any = false;
-    for (const CellText& cell : line.cells) {
-      const std::string number = LatexNumber(cell.*part);
-      any = any || !number.empty();
-      cells.push_back(number.empty() ? "" : StrCat("{\\scriptsize ", number, "}"));
-    }
-    if (any) latex += Joined(cells, " & ") + " \\\\\n";
-  }
-  return latex;
+  if (cell.value == "-") return "--";
+  std::string text;
+  for (const char c : cell.Shown()) text += c == '-' ? "$-$" : std::string(1, c);
+  return text + (cell.distinguishable ? "\\rlap{$^{*}$}" : "");
 }
 
 std::string Comments(const std::vector<std::string>& lines) {
@@ -239,6 +168,18 @@ std::string Comments(const std::vector<std::string>& lines) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> KeyColumns(const Table& table) {
+  std::vector<std::size_t> key;
+  for (const char* metric :
+       {"object_success_10cm", "object_ate", "object_coverage", "object_id_switches",
+        "moving_precision", "moving_recall", "camera_ate"}) {
+    const Column* column = FindBy(table.columns, &Column::metric, metric);
+    if (column) key.push_back(static_cast<std::size_t>(column - table.columns.data()));
+  }
+  for (std::size_t i = 0; i < table.columns.size() && key.size() <= kColumns; ++i) AddOnce(i, key);
+  return key;
+}
 
 std::string AlignedText(const std::vector<Cells>& rows) {
   std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size());
@@ -259,48 +200,71 @@ std::string AlignedText(const std::vector<Cells>& rows) {
   return text;
 }
 
-std::string TableText(const Table& table) {
+ShortTable MakeShortTable(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  std::vector<ShortColumn> columns = ShortColumns(table, texts);
+  ShortTable made;
+  std::vector<std::vector<std::size_t>> columns;  // of the table; precision and recall share one
+  for (const std::size_t i : KeyColumns(table)) {
+    if (table.columns[i].metric == "moving_recall" && !columns.empty() &&
+        table.columns[columns.back().front()].metric == "moving_precision") {
+      columns.back().push_back(i);
+      made.headings.back() = "moving prec./recall";
+    } else if (columns.size() < kColumns) {
+      columns.push_back({i});
+      made.headings.push_back(texts.columns[i]);
+    }
+  }
   std::vector<const TextLine*> lines;
   for (const TextLine& line : texts.blocks[0].lines) lines.push_back(&line);
   if (lines.size() > kRows) {
     std::erase_if(lines, [](const TextLine* line) { return line->theirs != nullptr; });
   }
-  const std::size_t more = lines.size() > kRows ? lines.size() - kRows + 1 : 0;
-  lines.resize(lines.size() - more);
+  made.more = lines.size() > kRows ? lines.size() - kRows + 1 : 0;
+  lines.resize(lines.size() - made.more);
+  for (const TextLine* line : lines) {
+    Cells& row = made.rows.emplace_back();
+    row.push_back(ShortLabel(table, *line));
+    for (const auto& of : columns) row.push_back(ShortCell(*line, of));
+  }
+  made.notes = ShortNotes(table, texts);
+  return made;
+}
+
+std::string TableText(const Table& table) {
+  ShortTable texts = MakeShortTable(table);
+  std::vector<std::array<std::string, 2>> headings;
+  std::vector<std::size_t> widths = {0};  // of the label, then of each column
+  for (const Cells& row : texts.rows) widths[0] = std::max(widths[0], Width(row[0]));
   std::size_t right = 0;
-  for (ShortColumn& column : columns) {
-    column.width = std::max(Width(column.heading[0]), Width(column.heading[1])) + 1;
-    for (const TextLine* line : lines) {
-      column.width = std::max(column.width, Width(ShortCell(*line, column)));
-    }
-    right += column.width + 1;
+  for (std::size_t i = 0; i < texts.headings.size(); ++i) {
+    headings.push_back(TwoLines(texts.headings[i]));
+    std::size_t width = std::max(Width(headings[i][0]), Width(headings[i][1])) + 1;
+    for (const Cells& row : texts.rows) width = std::max(width, Width(row[i + 1]));
+    if (i > 0 && right + width + 1 + kLeastLabel > kWidth) break;
+    widths.push_back(width);
+    right += width + 1;
   }
-  while (columns.size() > 1 && right + kLeastLabel > kWidth) {
-    right -= columns.back().width + 1;
-    columns.pop_back();
-  }
-  std::size_t label = 0;
-  for (const TextLine* line : lines) label = std::max(label, Width(ShortLabel(table, *line)));
-  label = std::min(label, kWidth - right);
+  widths[0] = std::min(widths[0], kWidth - right);
   const std::string title =
-      StrCat(texts.title, texts.title.empty() || texts.about.empty() ? "" : ": ", texts.about);
+      StrCat(Printable(table.title), table.title.empty() || table.about.empty() ? "" : ": ",
+             Printable(table.about));
   std::string text = title.empty() ? "" : Shortened(title, kWidth) + "\n\n";
-  const auto add = [&](const std::string& name, const auto& cell_of) {
-    std::string line = name + std::string(label - Width(name), ' ');
-    for (const ShortColumn& column : columns) line += " " + Padded(cell_of(column), column.width);
+  const auto add = [&](const std::string& label, const auto& cell_of) {
+    std::string line = label + std::string(widths[0] - Width(label), ' ');
+    for (std::size_t i = 1; i < widths.size(); ++i) {
+      line += " " + Padded(cell_of(i - 1), widths[i]);
+    }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   };
   for (const std::size_t at : {0U, 1U}) {
-    add("", [&](const ShortColumn& column) { return column.heading.at(at) + " "; });
+    add("", [&](std::size_t i) { return headings[i].at(at) + " "; });
   }
-  for (const TextLine* line : lines) {
-    add(Shortened(ShortLabel(table, *line), label),
-        [&](const ShortColumn& column) { return ShortCell(*line, column); });
+  for (const Cells& row : texts.rows) {
+    add(Shortened(row[0], widths[0]), [&](std::size_t i) { return row[i + 1]; });
   }
-  if (more > 0) text += StrCat("and ", more, " more rows\n");
-  return text + "\n" + Joined(ShortNotes(table, texts), "\n") + "\n";
+  if (texts.more > 0) text += StrCat("and ", texts.more, " more rows\n");
+  return StrCat(text, "\n", Joined(texts.notes, "\n"),
+                "\nall columns, intervals, differences and notes: --all\n");
 }
 
 std::string TableListing(const Table& table) {
@@ -314,9 +278,8 @@ std::string TableListing(const Table& table) {
       for (std::size_t i = 0; i < line.cells.size(); ++i) {
         const CellText& cell = line.cells[i];
         if (cell.value.empty()) continue;
-        rows.push_back({"  " + texts.columns[i].Heading(),
-                        cell.Shown() + (cell.distinguishable ? "*" : ""), cell.interval,
-                        cell.percent});
+        rows.push_back({"  " + texts.columns[i], cell.Shown() + (cell.distinguishable ? "*" : ""),
+                        cell.interval, cell.percent});
       }
       if (rows.empty()) continue;
       Cells names = line.texts;
@@ -333,29 +296,28 @@ std::string TableMarkdown(const Table& table) {
   if (!texts.about.empty()) text += Paragraph(texts.about) + "\n\n";
   for (const TextBlock& block : texts.blocks) {
     if (!block.heading.empty()) text += MarkdownEscaped(block.heading) + ":\n\n";
-    text += HeaderMarkdown(texts);
+    text += StrCat("| ", Joined(HeaderOf(texts), " | ", MarkdownEscaped), " |\n|");
+    for (std::size_t i = 0; i < texts.text_header.size(); ++i) text += "---|";
+    for (std::size_t i = 0; i < texts.columns.size(); ++i) text += "---:|";
+    text += "\n";
     for (const TextLine& line : block.lines) text += LineMarkdown(line);
     text += "\n";
   }
   for (const std::string& note : texts.footnotes) text += "- " + MarkdownEscaped(note) + "\n";
-  for (const std::string& note : texts.definitions) text += "- " + MarkdownEscaped(note) + "\n";
   return text;
 }
 
 std::string TableLatex(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  std::string latex = Comments({texts.title, "needs \\usepackage{booktabs}"});
-  for (const TextBlock& block : texts.blocks) {
-    if (!block.heading.empty()) latex += Comments({block.heading});
-    latex += StrCat("\\begin{tabular}{", std::string(texts.text_header.size(), 'l'),
-                    std::string(texts.columns.size(), 'r'), "}\n\\toprule\n",
-                    Joined(texts.text_header, " & ", LatexEscaped));
-    for (const ColumnText& column : texts.columns) latex += " & " + LatexEscaped(column.Heading());
-    latex += " \\\\\n\\midrule\n";
-    for (const TextLine& line : block.lines) latex += LineLatex(line);
-    latex += "\\bottomrule\n\\end{tabular}\n";
+  std::string latex =
+      StrCat(Comments({texts.title, "needs \\usepackage{booktabs}"}), "\\begin{tabular}{",
+             std::string(texts.text_header.size(), 'l'), std::string(texts.columns.size(), 'r'),
+             "}\n\\toprule\n", Joined(HeaderOf(texts), " & ", LatexEscaped), " \\\\\n\\midrule\n");
+  for (const TextLine& line : texts.blocks[0].lines) {
+    latex += StrCat(Joined(line.texts, " & ", LatexEscaped), " & ",
+                    Joined(line.cells, " & ", LatexCell), " \\\\\n");
   }
-  return latex + Comments(texts.footnotes) + Comments(texts.definitions);
+  return latex + "\\bottomrule\n\\end{tabular}\n" + Comments(texts.footnotes);
 }
 
 }  // namespace cvo::reports

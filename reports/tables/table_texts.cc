@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -162,23 +163,21 @@ std::string UnitForDigits(const Column& column) {
 // decimals that a difference close to 0 would get by itself would be noise.
 void AddColumn(const Table& table, std::size_t column, std::vector<TextLine>& values,
                std::vector<TextLine>& differences) {
-  std::vector<Measured> figures;
+  std::vector<Measured> of_rows;
+  std::vector<Measured> changes;
   for (const Row& row : table.rows) {
-    const auto& difference = row.cells[column].difference;
-    if (difference) figures.push_back({difference->difference, difference->interval});
-  }
-  std::vector<Measured> values_of_rows;
-  for (const Row& row : table.rows) {
-    const Cell& cell = row.cells[column];
-    values_of_rows.push_back({cell.value.value_or(0.0), cell.interval});
+    const auto& [value, difference] =
+        std::tie(row.cells[column].value, row.cells[column].difference);
+    of_rows.push_back({value.value_or(0.0), row.cells[column].interval});
+    if (difference) changes.push_back({difference->difference, difference->interval});
   }
   const std::string unit = UnitForDigits(table.columns[column]);
-  const std::vector<int> decimals = ColumnDecimals(values_of_rows, unit);
+  const std::vector<int> decimals = ColumnDecimals(of_rows, unit);
+  const std::vector<int> own = ColumnDecimals(changes, unit);
   int most = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (table.rows[i].cells[column].value) most = std::max(most, decimals[i]);
   }
-  const std::vector<int> own = ColumnDecimals(figures, unit);
   auto next = own.begin();
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const Cell& cell = table.rows[i].cells[column];
@@ -241,10 +240,6 @@ std::string CellText::Shown() const {
   return grey && !value.empty() ? StrCat("(", value, ")") : value;
 }
 
-std::string ColumnText::Heading() const {
-  return unit.empty() ? label : StrCat(label, " [", unit, "]");
-}
-
 TableTexts MakeTexts(const Table& table) {
   TableTexts texts;
   texts.title = Printable(table.title);
@@ -252,11 +247,10 @@ TableTexts MakeTexts(const Table& table) {
   texts.text_header = TextHeader(table);
   for (const Column& column : table.columns) {
     texts.columns.push_back(
-        {Printable(column.label), column.unit == "1" ? "" : Printable(column.unit)});
+        Printable(StrCat(column.label, column.unit == "1" ? "" : " [" + column.unit + "]")));
   }
   AddBlocks(table, texts);
   texts.footnotes = AllPrintable(Footnotes(table));
-  texts.definitions = AllPrintable(Definitions(table));
   return texts;
 }
 

@@ -57,27 +57,22 @@ struct TextBlock {
   std::vector<TextLine> lines;
 };
 
-struct ColumnText {
-  std::string label;
-  std::string unit;  // empty: a plain number
-
-  // "object ATE [m]"
-  std::string Heading() const;
-};
-
 // The texts of a table, which must outlive them, each on one line, before any layout or escaping.
 // All formats show these.
 struct TableTexts {
   std::string title;
   std::string about;
   std::vector<std::string> text_header;  // keys of rows, then frames and truth, split, runs
-  std::vector<ColumnText> columns;
-  std::vector<TextBlock> blocks;  // values, then differences if there are any
+  std::vector<std::string> columns;      // "object ATE [m]"
+  std::vector<TextBlock> blocks;         // values, then differences if there are any
   std::vector<std::string> footnotes;
-  std::vector<std::string> definitions;  // of the columns, from their contracts
 };
 
 TableTexts MakeTexts(const Table& table);
+
+// The columns that tell most, at most seven in the order of the short table: of bodies, of
+// landmarks and of the camera, then those that the table begins with.
+std::vector<std::size_t> KeyColumns(const Table& table);
 
 // "[a]", "[b]", ...: the mark of a source of reference rows, given by its id.
 std::string SourceMark(const Table& table, const std::string& source);
@@ -91,34 +86,39 @@ std::vector<std::string> ProblemTexts(const Table& table);
 // "3 of 4 runs, 1 of them lost": how many there are, and what became of the others.
 std::string JobsText(const JobCounts& jobs);
 
-// What a reader must know about the numbers: which runs are missing, what intervals mean, what
-// values are based on and leave out, and where the numbers of others come from.
+// What a reader must know about the numbers: which runs are missing, what values are based on and
+// leave out, what intervals mean, where the numbers of others come from, and the definition of each
+// column from its contract.
 std::vector<std::string> Footnotes(const Table& table);
-
-// The definition of each column, from its contract.
-std::vector<std::string> Definitions(const Table& table);
 
 // Returns columns of texts, aligned at the left, each made printable.
 std::string AlignedText(const std::vector<std::vector<std::string>>& rows);
 
-// Returns what tells most on one screen, 100 columns by 40 lines with the line after it: one line
-// per row with at most six columns, and three lines of notes.
+// What tells most: one line per row with at most six columns, and two lines of notes.
+struct ShortTable {
+  std::vector<std::string> headings;           // of the columns after the name of the row
+  std::vector<std::vector<std::string>> rows;  // names, then cells; of results of others indented
+  std::size_t more = 0;                        // rows that are left out
+  std::vector<std::string> notes;
+};
+ShortTable MakeShortTable(const Table& table);
+
+// Returns what tells most on one screen, 100 columns by 40 lines with the line after it.
 std::string TableText(const Table& table);
 
 // Returns all values of each row, one per line with its interval, then the differences and the
-// footnotes but no definitions.
+// footnotes.
 std::string TableListing(const Table& table);
 
-// The same as Markdown, with the definitions of the columns.
+// The same as Markdown.
 std::string TableMarkdown(const Table& table);
 
-// Returns a tabular with the values and one with the differences, for \input into a document that
-// uses booktabs. Notes and definitions follow as comments.
+// Returns a tabular with the values, for \input into a document that uses booktabs. The footnotes
+// follow as comments.
 std::string TableLatex(const Table& table);
 
-// Returns the table as CSV (RFC 4180) with all digits. There is one record per row of the table and
-// per line of published figures, with value, interval, marks and difference of each column side by
-// side.
+// Returns our rows as CSV (RFC 4180) with all digits: value, interval, marks and difference of each
+// column side by side.
 std::string TableCsv(const Table& table);
 
 // Returns a text as a CSV field: harmless in a terminal and a spreadsheet (no formula, no control

@@ -21,13 +21,48 @@
 #include "experiments/metrics/trajectory.h"
 #include "experiments/runner/given.h"
 #include "experiments/runner/identity.h"
+#include "experiments/suite/build_plan.h"
+#include "experiments/suite/engine.h"
+#include "synth/write/render_cache.h"
 
 namespace cvo {
 namespace {
 
-SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& folder) {
+namespace fs = std::filesystem;
+
+// Renders the scene of a run of a suite, if it is not in the cache yet. Returns its folder.
+fs::path RenderedScene(const reports::OverlayRun& run) {
+  const fs::path file = run.folder.parent_path().parent_path() / "plan.json";
+  const Plan plan = ParsePlan(ReadJson(file, {}), file.string());
+  const PlanJob* job = FindBy(plan.jobs, &PlanJob::job, run.folder.filename().string());
+  if (job == nullptr) ThrowError(file.string(), "not the job of " + run.folder.string(), "it");
+  const Preparation scene =
+      SceneFolders(synth::CacheFolder())
+          .Find(plan.suite.sequences.at(job->entry), job->parameters, job->seed);
+  if (fs::exists(scene.output / synth::kManifestName)) return scene.output;
+  PrintNotice(StrCat("rendering ", run.sequence.name, " again"));
+  std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string()};
+  command.insert(command.end(), scene.arguments.begin(), scene.arguments.end());
+  const Captured made = Capture(command, [](const Captured&) { return false; });
+  if (made.exit_code != 0) ThrowError("rendering " + run.sequence.name, made.err, "exit code 0");
+  return scene.output;
+}
+
+// Where the images of a run are: in `folder`; if that is empty, where the run read them; if those
+// are gone, such as on another machine, and were rendered, in the cache of this one.
+fs::path ImagesOf(const reports::OverlayRun& run, const std::string& folder) {
+  const fs::path read = run.detail.timing.paths.sequence;
+  if (!folder.empty() || fs::exists(read)) return folder.empty() ? read : fs::path(folder);
+  const fs::path scenes = synth::ScenesFolder(synth::CacheFolder());
+  if (read.parent_path().parent_path().filename() != scenes.filename()) return read;
+  const fs::path here = scenes / read.parent_path().filename() / read.filename();
+  return fs::exists(here / synth::kManifestName) ? here : RenderedScene(run);
+}
+
+// `folder`: of ImagesOf.
+SequenceRequest RequestOf(const reports::OverlayRun& run, const fs::path& folder) {
   SequenceRequest request;
-  request.folder = folder.empty() ? run.detail.timing.paths.sequence : folder;
+  request.folder = folder.string();
   request.type = run.sequence.type;
   request.pair = run.sequence.pair;
   if (run.sequence.layout) request.layout = *run.sequence.layout;
@@ -37,13 +72,20 @@ SequenceRequest RequestOf(const reports::OverlayRun& run, const std::string& fol
 }
 
 Sequence OpenImages(const reports::OverlayRun& run, const std::string& folder) {
-  const SequenceRequest request = RequestOf(run, folder);
-  if (request.folder.empty()) {
+  const fs::path read = run.detail.timing.paths.sequence;
+  if (folder.empty() && read.empty()) {
     ThrowError("the images of " + run.sequence.name, "no folder in the run's timing.json",
                "a folder, or --sequence FOLDER");
   }
   try {
-    return OpenSequence(request);
+    const fs::path images = ImagesOf(run, folder);
+    Sequence sequence = OpenSequence(RequestOf(run, images));
+    if (folder.empty() && images != read &&
+        ContentHash(sequence, RenderedHashes(sequence)) != run.sequence.content) {
+      ThrowError(images.string(), "images that this program renders differently",
+                 "those of the run");
+    }
+    return sequence;
   } catch (const Error& error) {
     if (!folder.empty()) throw;
     throw Error(StrCat("the images of ", run.sequence.name,
@@ -73,12 +115,19 @@ cv::Mat RunImages::Left(int frame) const {
 
 std::optional<Sequence> FindDetections(const std::string& folder, const reports::OverlayRun& run) {
   const reports::RunPaths& paths = run.detail.timing.paths;
-  SequenceRequest request = RequestOf(run, folder);
-  request.detections_file = paths.detections.value_or("");
-  request.detections_camera = paths.detections_camera.value_or(-1);
-  request.min_score = paths.min_score.value_or(BoxSources().min_score);
-  request.labels_file = paths.labels.value_or("");
   try {
+    const fs::path images = ImagesOf(run, folder);
+    // Files of the sequence have moved with it.
+    const auto moved = [&](const std::string& file) {
+      return file.starts_with(paths.sequence + "/")
+                 ? images.string() + file.substr(paths.sequence.size())
+                 : file;
+    };
+    SequenceRequest request = RequestOf(run, images);
+    request.detections_file = moved(paths.detections.value_or(""));
+    request.detections_camera = paths.detections_camera.value_or(-1);
+    request.min_score = paths.min_score.value_or(BoxSources().min_score);
+    request.labels_file = moved(paths.labels.value_or(""));
     Sequence sequence = OpenSequence(request);
     if (DetectionsHash(sequence) == run.sequence.detections_hash) return sequence;
   } catch (const Error&) {  // files have moved
@@ -96,6 +145,20 @@ std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
   return detections;
 }
 
+void AddTruthBoxes(const Sequence& sequence, reports::OverlayRun& run) {
+  const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(sequence);
+  if (!truth) {
+    ThrowError("--truth", "no ground truth of bodies in " + sequence.folder.string(),
+               "a sequence that has it");
+  }
+  const TrueBoxes boxes = BoxesOfBodies(sequence, *truth);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (const auto& [body, box] : boxes[i]) {
+      run.truth[sequence.first_frame + static_cast<int>(i)].push_back(box);
+    }
+  }
+}
+
 bool AddDetections(const std::string& folder, reports::OverlayRun& run) {
   const std::optional<Sequence> sequence = FindDetections(folder, run);
   if (!sequence) return false;
@@ -109,8 +172,6 @@ bool AddDetections(const std::string& folder, reports::OverlayRun& run) {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::int64_t kStep_ns = 1'000'000'000;  // between poses without timestamps
 

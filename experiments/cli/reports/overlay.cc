@@ -167,6 +167,9 @@ OverlayWriter::OverlayWriter(const OverlayFlags& flags, const std::vector<std::s
     if (run.sequence.detections == 0 || AddDetections(images_folder, run)) continue;
     PrintNotice("note: the run's detection file was not found, so no detections are drawn");
   }
+  for (reports::OverlayRun& run : runs_) {
+    if (flags.truth) AddTruthBoxes(images_->sequence(), run);
+  }
   const std::size_t most = runs_.size() > 1 ? 8 : wide() ? 20 : 24;
   for (const std::size_t i : reports::EvenlySpaced(frames_.size(), flags.sheet ? most : 0)) {
     on_sheet_.push_back(frames_[i]);
@@ -178,6 +181,7 @@ cv::Mat OverlayWriter::Draw(const cv::Mat& image, int frame, int width_px) const
   style.inset = style.inset && !inferred_;
   style.boxes = !inferred_;
   style.wrong = inferred_;
+  style.plain = flags_.plain;
   std::vector<cv::Mat> pictures;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     reports::OverlayFrame drawn = reports::FrameOf(runs_[i], frame);
@@ -296,6 +300,8 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
   app.add_flag("--video", flags.video,
                "also write DIR/video.mp4, or .webm or .avi if OpenCV cannot write MP4");
   app.add_flag("--no-images", flags.no_images, "write only the sheet or video, no image per frame");
+  app.add_flag("--truth", flags.truth, "also draw boxes around the true bodies, dashed");
+  app.add_flag("--plain", flags.plain, "without names, line of text and bird's-eye view");
   AddQuiet(app, flags.quiet);
 }
 
@@ -311,9 +317,10 @@ Command AddOverlayCommand(CLI::App& program) {
       "Landmarks are drawn if the run has landmarks.csv (clustervo run --landmarks; in a suite, "
       "the\nfirst seed): in the colour of their cluster, which its id determines; small and grey: "
       "static;\nwhite points: outliers. White rectangles: detections. Coloured boxes: clusters in "
-      "3D, each with\nits path in the last two seconds; dashed: at the predicted pose, with too "
-      "few "
-      "landmarks in the\nframe. White rings (inferred labels): wrong labels, if the run has ground "
+      "3D, each with\nits path in the last two seconds and an arrow to where it is in half a "
+      "second; "
+      "dashed: at the\npredicted pose, with too few landmarks in the frame. White rings (inferred "
+      "labels): wrong labels, if the run has ground "
       "truth. Pictures at\nleast 600 pixels wide have a bird's-eye view of the bodies.\n"
       "Examples:\n"
       "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"

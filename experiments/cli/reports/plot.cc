@@ -33,15 +33,6 @@ struct PlotFlags {
   SuiteFigureFlags suite;  // output and style: also of trajectories
 };
 
-// The trajectories to plot and how they compare.
-struct PlotContent {
-  std::vector<PlotInput> inputs;
-  std::optional<PlotReference> reference;
-  PlotMatching matching;
-  std::vector<PlotTrack> tracks;  // one per input
-  std::string notes;              // of ReadPlotInput
-};
-
 // What is drawn of positions and times.
 struct Axes {
   std::size_t ahead = 2;  // the axis that is vertical on the map
@@ -196,7 +187,9 @@ std::vector<Panel> EmptyPanels(const PlotContent& content) {
   return panels;
 }
 
-reports::Figure FigureOf(const PlotContent& content) {
+}  // namespace
+
+reports::Figure TrajectoryFigure(const PlotContent& content) {
   std::vector<std::string> names;
   Axes axes{content.matching.z_up ? 1U : 2U, std::numeric_limits<double>::infinity()};
   for (const PlotTrack& track : content.tracks) {
@@ -235,20 +228,22 @@ reports::Figure FigureOf(const PlotContent& content) {
   return figure;
 }
 
-std::string FormatOfFile(const std::string& output) {
+std::string FormatOfFigure(const std::string& flag, const std::string& output) {
   const std::string extension = fs::path(output).extension().string();
   if (extension == ".svg" || extension == ".pdf") return extension.substr(1);
-  throw UsageError(StrCat("-o ", output, ": found ", Quoted(extension),
+  throw UsageError(StrCat(flag, " ", output, ": found ", Quoted(extension),
                           ", expected a name that ends in .svg or .pdf"));
 }
 
+namespace {
+
 int DrawPlot(const PlotFlags& flags) {
-  const std::string format = FormatOfFile(flags.suite.output);
+  const std::string format = FormatOfFigure("-o", flags.suite.output);
   std::vector<fs::path> read(flags.inputs.begin(), flags.inputs.end());
   if (!flags.groundtruth.empty()) read.emplace_back(flags.groundtruth);
   CheckOutputFile(flags.suite.output, read);
   const PlotContent content = ReadContent(flags);
-  const reports::Figure figure = FigureOf(content);
+  const reports::Figure figure = TrajectoryFigure(content);
   WriteOutputFile(flags.suite.output, FigureFile(figure, flags.suite.style, format), read);
   std::cout << figure.title << '\n';
   PrintTracks(content.tracks);
@@ -319,7 +314,7 @@ Command AddPlotCommand(CLI::App& program) {
       "Examples:\n"
       "  clustervo plot results/room results/static -o cameras.svg\n"
       "  clustervo plot mine.txt theirs.txt --groundtruth poses/06.txt --align sim3 -o 06.pdf\n"
-      "  clustervo plot results/ablation -o figures --width 85 --font-size 7");
+      "  clustervo plot results/ablation -o figures --width-mm 84 --font-pt 8 --no-title");
   return {app, [app, flags] { return Plot(*app, *flags); }};
 }
 

@@ -28,9 +28,6 @@ constexpr std::size_t kMaxFrames = 150;
 // Adds left images of a run, evenly spaced and drawn upon. Throws Error if that is impossible.
 void AddImages(const fs::path& run_folder, std::size_t most, std::vector<std::string>& missing,
                reports::PageScene& scene) {
-  if (!fs::exists(run_folder / "landmarks.csv")) {
-    throw Error("the run has no landmarks.csv, so its images are not shown");
-  }
   reports::OverlayRun run = reports::ReadOverlayRun(run_folder, reports::LandmarkLabel::kCluster);
   AddDetections("", run);
   const RunImages images(run, "");

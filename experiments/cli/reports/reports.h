@@ -61,13 +61,15 @@ struct OverlayFlags {
   bool sheet = false;
   bool video = false;
   bool no_images = false;
+  bool truth = false;  // also the boxes of the true bodies
+  bool plain = false;  // OverlayStyle::plain
   bool quiet = false;
 };
 
 // Draws runs on their images. Returns the exit code. Throws Error.
 int DrawOverlays(const OverlayFlags& flags);
 
-// The flags --width, --font and --font-size.
+// The flags --width-mm, --font-pt and --no-title.
 void AddChartStyle(CLI::App& app, reports::ChartStyle& style);
 
 // The content of a file with the figure, its title and its caption. `format` is "svg" or "pdf",
@@ -96,6 +98,7 @@ class RunImages {
   // Returns the grey image of a frame, as numbered in the sequence's folder. Empty if the image
   // cannot be decoded.
   cv::Mat Left(int frame) const;
+  const Sequence& sequence() const { return sequence_; }
 
  private:
   Sequence sequence_;
@@ -112,6 +115,9 @@ std::vector<std::vector<Detection>> DetectionsOf(const Sequence& sequence,
 
 // Adds the detections that FindDetections finds to the run. Returns false if it finds none.
 bool AddDetections(const std::string& folder, reports::OverlayRun& run);
+
+// Adds the boxes of the true bodies of its sequence to the run. Throws Error if there are none.
+void AddTruthBoxes(const Sequence& sequence, reports::OverlayRun& run);
 
 // A trajectory file, or the camera trajectory of a run.
 struct PlotInput {
@@ -169,6 +175,22 @@ struct PlotTrack {
 // poses match, or if an alignment needs rotations that are not known.
 PlotTrack MatchTrack(const PlotReference& reference, const PlotInput& input,
                      const PlotMatching& matching);
+
+// The trajectories to plot and how they compare.
+struct PlotContent {
+  std::vector<PlotInput> inputs;
+  std::optional<PlotReference> reference;
+  PlotMatching matching;
+  std::vector<PlotTrack> tracks;  // one per input
+  std::string notes;              // of ReadPlotInput
+};
+
+// Draws the trajectories from above and over time, with their errors.
+reports::Figure TrajectoryFigure(const PlotContent& content);
+
+// "svg" or "pdf", by the end of the name that a flag gives. Throws UsageError for another.
+std::string FormatOfFigure(const std::string& flag, const std::string& output);
+
 // Prints a row of errors per compared trajectory.
 void PrintTracks(const std::vector<PlotTrack>& tracks);
 

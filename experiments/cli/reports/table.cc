@@ -165,21 +165,22 @@ void KeepOnly(const std::string& name, reports::SuiteFigures& drawn) {
 
 void AddChartStyle(CLI::App& app, reports::ChartStyle& style) {
   const FlagAdder add{app};
-  add("--width", style.width_mm, "MM", "width of a full figure, in mm")
+  add("--width-mm", style.width_mm, "MM", "width of a full figure")
       ->check(Within(60.0, 1000.0))
       ->capture_default_str();
-  add("--font", style.font, "NAMES", "font families, in order of preference")
-      ->capture_default_str();
-  add("--font-size", style.font_size_pt, "PT", "size of the font, in pt")
+  add("--font-pt", style.font_size_pt, "PT", "size of the font")
       ->check(Within(4.0, 40.0))
       ->capture_default_str();
+  app.add_flag("!--no-title", style.texts, "without title and caption");
 }
 
 std::string FigureFile(const reports::Figure& figure, const reports::ChartStyle& style,
                        const std::string& format) {
   reports::Chart chart = figure.chart;
-  chart.title = figure.title;
-  chart.caption = figure.caption;
+  if (style.texts) {
+    chart.title = figure.title;
+    chart.caption = figure.caption;
+  }
   const std::string svg = reports::ChartSvg(chart, style);
   return format == "pdf" ? ToPdf(svg) : svg;
 }

@@ -36,6 +36,7 @@ struct TrajectoryFlags {
   std::string up = "y";
   double time_offset_s = 0.0;
   bool json = false;
+  std::string plot;
   SequenceFlags sequence;  // scored against its own truth; without a folder: two files
   double max_time_difference_s = 1e-9 * static_cast<double>(kDefaultAssociation_ns);
   std::string objects;
@@ -119,6 +120,12 @@ int EvaluateFiles(const TrajectoryFlags& flags) {
     evaluations.back()["estimate"] = input.name;
   }
   std::cerr << notes;
+  if (!flags.plot.empty()) {
+    std::vector<fs::path> read(flags.estimates.begin(), flags.estimates.end());
+    read.emplace_back(flags.groundtruth);
+    const reports::Figure figure = TrajectoryFigure({inputs, truth, matching, tracks, ""});
+    WriteOutputFile(flags.plot, FigureFile(figure, {}, FormatOfFigure("--plot", flags.plot)), read);
+  }
   if (flags.json) {
     Json json = {{"schema_version", 2}, {"kind", "evaluation"}};
     if (inputs.size() == 1) {
@@ -217,7 +224,7 @@ const std::vector<std::string> kOfSequence = {"--type",   "--pair",          "--
                                               "--labels", "--labels-camera", "--objects",
                                               "--name",   "--output",        "--right-shift"};
 const std::vector<std::string> kOfFiles = {"--max-time-difference", "--align", "--time-offset",
-                                           "--up"};
+                                           "--up", "--plot"};
 
 // Sorts the files given without a flag, and refuses flags of the other mode.
 void CheckUsage(const CLI::App& app, TrajectoryFlags& flags) {
@@ -266,6 +273,8 @@ Command AddTrajectoryCommand(CLI::App& eval) {
   add("--sequence", flags->sequence.folder, "FOLDER",
       "use the ground truth of this sequence instead of a file");
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");
+  add("--plot", flags->plot, "FILE",
+      "also draw the trajectories, as clustervo plot does: .svg or .pdf");
   flags->sequence.AddTruthTo(*app);
   add("--max-time-difference", flags->max_time_difference_s, "SECONDS",
       "maximum time difference of matching TUM poses")

@@ -92,6 +92,12 @@ TEST(Chart, LabelsNiceValues) {
                                  "0.2", "0.3", "error (cm)"));
 }
 
+TEST(Chart, LabelsIntegersAtIntegers) {
+  const auto texts = TextsOf(ChartSvg(OnePanel(LinePanel({{1, 0}, {2, 0.1}, {3, 0.2}}))));
+  EXPECT_THAT(texts,
+              AllOf(testing::IsSupersetOf({"1", "2", "3", "0.1"}), Not(testing::Contains("1.5"))));
+}
+
 TEST(Chart, HasLogarithmicAxesWithoutValuesThatHaveNoLogarithm) {
   Panel panel = LinePanel({{0.01, 0}, {1, 1}, {100, 2}});
   panel.x.scale = AxisScale::kLog;
@@ -120,7 +126,7 @@ TEST(Chart, DrawsIntervalsAsABandAndNamesCategories) {
   panel.series = {{SeriesKind::kBand, "band", {2}, {{0, 2}, {1, 1}}}};
   for (Datum& datum : panel.series[0].data) datum.y_interval = ValueRange{datum.y, datum.y + 1.0};
   const std::string svg = ChartSvg(OnePanel(panel));
-  EXPECT_EQ(Count(svg, "fill=\"#d55e00\""), 2U) << "with that of the legend";
+  EXPECT_EQ(Count(svg, "fill=\"#d55e00\""), 1U);
   EXPECT_THAT(TextsOf(svg), testing::IsSupersetOf({"a", "a longer name"}));
 }
 

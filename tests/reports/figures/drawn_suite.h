@@ -24,7 +24,7 @@ inline reports::Column ColumnOf(const std::string& metric, const std::string& la
 inline reports::Cell CellOf(double value, double low, double high) {
   reports::Cell cell;
   cell.value = value;
-  cell.interval = reports::Interval{low, high, "95 %, by hand"};
+  cell.interval = reports::Interval{low, high};
   return cell;
 }
 

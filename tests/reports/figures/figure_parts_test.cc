@@ -18,22 +18,36 @@ TEST(FigureNumbers, AreWrittenWithoutExponents) {
 }
 
 TEST(FigureNumbers, SharesAreInPercentAndCountsHaveNoUnit) {
-  const Shown share = ShownAs("object_success_10cm", "1");
+  const Column column = test::ColumnOf("object_success_10cm", "within 10 cm", "1");
+  const Shown share = ShownAs(column, 0.5);
   EXPECT_EQ(share.unit, "%");
   EXPECT_EQ(share.scale, 100.0);
-  EXPECT_TRUE(share.higher_is_better);
-  const Shown count = ShownAs("object_id_switches", "1");
+  EXPECT_EQ(share.Text(0.5), "50 %");
+  const Column switches = test::ColumnOf("object_id_switches", "id switches", "1");
+  const Shown count = ShownAs(switches, 3.0);
   EXPECT_EQ(count.unit, "");
   EXPECT_EQ(count.scale, 1.0);
-  EXPECT_EQ(AxisTitle(test::ColumnOf("object_ate", "object ATE", "m")), "object ATE (m)");
-  EXPECT_EQ(AxisTitle(test::ColumnOf("object_id_switches", "id switches", "1")),
-            "id switches (count)");
+  EXPECT_EQ(AxisTitle(switches, count), "id switches (count)");
 }
 
-TEST(FigureNumbers, ACellIsWrittenWithItsInterval) {
-  const Column column = test::ColumnOf("object_coverage", "object coverage", "1");
-  EXPECT_EQ(CellValueText(test::CellOf(0.5, 0.25, 0.75), column), "50 % (25 to 75)");
-  EXPECT_EQ(CellValueText({}, column), "no value");
+TEST(FigureNumbers, LengthsAndAnglesHaveReadableUnits) {
+  const Column ate = test::ColumnOf("object_ate", "object ATE", "m");
+  EXPECT_EQ(ShownAs(ate, 0.002).Text(0.00031), "0.31 mm");
+  EXPECT_EQ(ShownAs(ate, 0.2).Text(0.0312), "3.12 cm");
+  EXPECT_EQ(ShownAs(ate, 2.0).Text(0.5), "0.5 m");
+  EXPECT_EQ(AxisTitle(ate, ShownAs(ate, 0.2)), "object ATE (cm)");
+  EXPECT_EQ(ShownAs(test::ColumnOf("camera_rrpe_1_frame", "R.RPE", "rad"), 0.1).Text(0.017453293),
+            "1 deg");
+}
+
+TEST(FigureNumbers, EventsOfNoBodyAreNotDrawn) {
+  SuiteData data = test::SweptSuite("a", {1, 2});
+  Table& table = data.table;
+  table.columns[0] = test::ColumnOf("object_id_switches", "id switches", "1");
+  EXPECT_TRUE(IsDrawn(table, table.rows[0], 0));
+  table.rows[0].cells[1].value = 0.0;
+  EXPECT_FALSE(IsDrawn(table, table.rows[0], 0));
+  EXPECT_TRUE(IsDrawn(table, table.rows[0], 1));
 }
 
 TEST(FigureTexts, AreListedAndMadeFileNames) {

@@ -35,16 +35,16 @@ TEST(Sensitivity, DrawsErrorAboveCoverageOverTheOption) {
   const SuiteFigures drawn = Draw(data);
   ASSERT_THAT(drawn.figures, SizeIs(1));
   const Figure& figure = drawn.figures[0];
-  EXPECT_EQ(figure.name, "sensitivity-window-spatial-object-errors");
+  EXPECT_EQ(figure.name, "sensitivity-window-spatial");
   EXPECT_EQ(figure.title,
-            "Object errors over window.spatial. Object ATE: aligned by SE(3) over positions");
+            "Metrics over window.spatial. Object ATE: aligned by SE(3) over positions");
   const std::vector<Series> curves = CurvesOf(figure, "full");
   ASSERT_THAT(curves, SizeIs(2));
   EXPECT_THAT(XsOf(curves[0]), ElementsAre(1.0, 2.0, 3.0));
-  EXPECT_THAT(YsOf(curves[0]), Pointwise(DoubleEq(), {0.2, 0.1 * 3, 0.1}));
-  EXPECT_EQ(curves[0].data[0].tip, "full, 1: 0.2 m (0.15 to 0.25)");
+  EXPECT_THAT(YsOf(curves[0]), Pointwise(DoubleEq(), {20.0, 10.0 * 3, 10.0}));
+  EXPECT_EQ(curves[0].data[0].tip, "full, 1: 20 cm (15 to 25)");
   EXPECT_THAT(YsOf(curves[1]), ElementsAre(50.0, 50.0, 50.0));
-  EXPECT_EQ(figure.chart.panels[0].y.title, "object ATE (m)");
+  EXPECT_EQ(figure.chart.panels[0].y.title, "object ATE (cm)");
   EXPECT_EQ(figure.chart.panels[1].y.title, "object coverage (%)");
   EXPECT_EQ(figure.chart.panels[1].x.title, "window.spatial");
   EXPECT_TRUE(figure.chart.share_x);
@@ -56,12 +56,11 @@ TEST(Sensitivity, DrawsIntervalsAsABandAndMarksTheDefault) {
   const Figure figure = Draw(data).figures.at(0);
   const Panel& panel = figure.chart.panels[0];
   EXPECT_EQ(panel.series[0].kind, SeriesKind::kBand);
-  EXPECT_NEAR(panel.series[0].data[1].y_interval->low, 0.15, 1e-12);
-  EXPECT_NEAR(panel.series[0].data[1].y_interval->high, 0.25, 1e-12);
-  ASSERT_THAT(panel.rules, SizeIs(1));
-  EXPECT_EQ(panel.rules[0].at, 2.0);
-  EXPECT_EQ(panel.rules[0].text, "default 2");
-  EXPECT_THAT(figure.caption, AllOf(HasSubstr("95 %, by hand"), HasSubstr("the default, 2")));
+  EXPECT_NEAR(panel.series[0].data[1].y_interval->low, 15.0, 1e-9);
+  EXPECT_NEAR(panel.series[0].data[1].y_interval->high, 25.0, 1e-9);
+  EXPECT_EQ(panel.rule, 2.0);
+  EXPECT_EQ(panel.rule_text, "default 2");
+  EXPECT_THAT(figure.caption, AllOf(HasSubstr("95 %, bootstrap"), HasSubstr("the default, 2")));
   data.table.provenance.options.clear();
   EXPECT_THAT(Draw(data).figures.at(0).caption, HasSubstr("default of this option is not known"));
 }
@@ -83,14 +82,17 @@ TEST(Sensitivity, LeavesAGapWhereARowHasNoValue) {
   SuiteData data = test::SweptSuite("a", {1, 2, 4});
   data.table.rows[1].cells[0] = {};
   EXPECT_THAT(YsOf(CurvesOf(Draw(data).figures.at(0), "full").at(0)),
-              Pointwise(DoubleEq(), {0.1, -1.0, 0.1 * 3}));
+              Pointwise(DoubleEq(), {10.0, -1.0, 10.0 * 3}));
 }
 
-TEST(Sensitivity, ReportsMissingCoverage) {
-  SuiteData data = test::SweptSuite("a", {1, 2, 4});
-  data.table.columns.pop_back();
-  for (Row& row : data.table.rows) row.cells.pop_back();
-  EXPECT_THAT(Draw(data).figures.at(0).caption, HasSubstr("no coverage for these metrics"));
+TEST(Sensitivity, DrawsNoSeriesOfOnePoint) {
+  SuiteData data = test::SweptSuite("a.b_px", {1, 2, 3});
+  data.table.keys = {"a.b_px", "variant"};
+  for (std::size_t i = 0; i < 3; ++i) data.table.rows[i].keys.emplace_back(i < 2 ? "full" : "2d");
+  const Figure figure = Draw(data).figures.at(0);
+  EXPECT_THAT(CurvesOf(figure, "full"), SizeIs(2));
+  EXPECT_THAT(CurvesOf(figure, "2d"), IsEmpty());
+  EXPECT_EQ(figure.chart.panels[0].x.title, "a.b (px)");
 }
 
 TEST(Sensitivity, UsesDefaultsOfOtherOptionsWhenOneIsVariedAtATime) {
@@ -113,8 +115,8 @@ TEST(Sensitivity, DrawsOneLinePerValueOfOtherOptionsInAFullGrid) {
   data.table.keys = {"a", "b"};
   for (std::size_t i = 0; i < 4; ++i) data.table.rows[i].keys.emplace_back(i < 2 ? "7" : "8");
   const Figure figure = Draw(data).figures.at(0);
-  EXPECT_THAT(YsOf(CurvesOf(figure, "b 7").at(0)), Pointwise(DoubleEq(), {0.1, 0.2}));
-  EXPECT_THAT(YsOf(CurvesOf(figure, "b 8").at(0)), Pointwise(DoubleEq(), {0.1 * 3, 0.4}));
+  EXPECT_THAT(YsOf(CurvesOf(figure, "b 7").at(0)), Pointwise(DoubleEq(), {10.0, 20.0}));
+  EXPECT_THAT(YsOf(CurvesOf(figure, "b 8").at(0)), Pointwise(DoubleEq(), {10.0 * 3, 40.0}));
 }
 
 TEST(Sensitivity, ReportsWhyNothingIsDrawn) {

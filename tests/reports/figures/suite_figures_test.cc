@@ -54,13 +54,12 @@ TEST(Ablation, DrawsDifferencesWithIntervals) {
   EXPECT_THAT(figure.title, HasSubstr("Paired difference from full."));
   ASSERT_THAT(figure.chart.panels, SizeIs(3)) << "one scene has no interval of the camera's ATE";
   const Panel& ate = figure.chart.panels[1];
-  EXPECT_EQ(ate.title, "object ATE");
-  EXPECT_EQ(ate.x.title, "difference (m)");
+  EXPECT_EQ(ate.title, "object ATE (cm)");
   EXPECT_THAT(ate.y.categories, ElementsAre("2d"));
   // Errors in common frames double in all seven bodies.
-  const Series points = test::SeriesNamed(figure.chart, "significant").at(1);
-  EXPECT_NEAR(points.data.at(0).x, 0.02, 1e-9);
-  EXPECT_EQ(points.data[0].tip, "2d: 0.04 m against 0.02 m, 7 pairs");
+  const Series points = test::SeriesNamed(figure.chart, "worse").at(1);
+  EXPECT_NEAR(points.data.at(0).x, 2.0, 1e-9);
+  EXPECT_EQ(points.data[0].tip, "2d: 4 cm against 2 cm, 7 pairs");
 }
 
 TEST(Ablation, NeedsAReference) {

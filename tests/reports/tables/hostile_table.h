@@ -17,8 +17,7 @@ inline reports::Cell CellOf(double value, double low, double high) {
   reports::Cell cell;
   cell.value = value;
   cell.n = {2, 1, 0, 2};
-  cell.interval = reports::Interval{low, high, "least and largest of 2 runs of one scene"};
-  cell.runs = {0, 1};
+  cell.interval = reports::Interval{low, high};
   return cell;
 }
 
@@ -77,15 +76,15 @@ inline reports::Table HostileTable() {
                     CellOf(0.10432, 0.061, 0.16), MissingCell()};
   ablation.cells[3].n.bodies = 11;
   ablation.cells[3].left_out = "1 of 12 bodies (of all runs) without a value";
-  ablation.cells[3].difference = reports::Difference{"full",
-                                                     0.104,
-                                                     0.057,
-                                                     0.0467,
-                                                     reports::Interval{0.0112, 0.0874, "95 %"},
-                                                     81.0,
-                                                     true,
-                                                     11,
-                                                     "object-frames that both estimate"};
+  reports::Difference difference;
+  difference.value = 0.104;
+  difference.reference_value = 0.057;
+  difference.difference = 0.0467;
+  difference.interval = reports::Interval{0.0112, 0.0874};
+  difference.percent = 81.0;
+  difference.distinguishable = true;
+  difference.pairs = 11;
+  ablation.cells[3].difference = difference;
   reports::Row system = RowOf(kScript, "their\tsystem");
   system.cells = {CellOf(1.0, 1.0, 1.0), CellOf(0.001, 0.0009, 0.0012), MissingCell(),
                   MissingCell(), MissingCell()};

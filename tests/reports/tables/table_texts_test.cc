@@ -14,7 +14,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::SizeIs;
 
-Measured With(double value, double low, double high) { return {value, Interval{low, high, ""}}; }
+Measured With(double value, double low, double high) { return {value, Interval{low, high}}; }
 
 TEST(Digits, FollowTheInterval) {
   // Half widths of 0.0255 and 0.0495 need three decimals. 0.00013 would need five; the value is
@@ -51,7 +51,7 @@ TEST(Digits, OfDifferencesFollowThoseOfTheValues) {
   Table table = test::HostileTable();
   Difference& difference = *table.rows[1].cells[3].difference;
   difference.difference = -3e-8;
-  difference.interval = Interval{-1e-7, 2e-8, ""};
+  difference.interval = Interval{-1e-7, 2e-8};
   difference.percent = -0.001;
   const CellText cell = MakeTexts(table).blocks[1].lines[0].cells[3];
   EXPECT_EQ(cell.value, "+0.0000");
@@ -82,7 +82,7 @@ TEST(TableTexts, HaveOneLinePerRowAndPerReferenceRow) {
   EXPECT_FALSE(rooms.row);
   EXPECT_EQ(rooms.theirs, &table.others[0]);
   EXPECT_TRUE(rooms.grey);
-  EXPECT_EQ(texts.columns[3].Heading(), "object ATE [m]");
+  EXPECT_EQ(texts.columns[3], "object ATE [m]");
 }
 
 TEST(TableTexts, ExplainIncomparableAndMissingFigures) {
@@ -119,7 +119,7 @@ TEST(TableTexts, DifferencesHaveSeparateLines) {
 TEST(Footnotes, DistinguishColumnsWithEqualLabelsByUnit) {
   Table table = test::HostileTable();
   table.columns[0].label = table.columns[1].label;
-  EXPECT_THAT(MakeTexts(table).definitions,
+  EXPECT_THAT(MakeTexts(table).footnotes,
               Contains("camera ATE [m]: root mean square of position errors"));
 }
 

@@ -9,10 +9,8 @@
 
 namespace cvo::reports {
 
-// Where everything of a chart is drawn. All lengths are in points, from the upper left corner; em
-// is the font size.
-
-inline constexpr double kLineHeight = 1.3;  // distance of lines of text (em)
+// Ranges, ticks and places of axes, and the sizes of texts. Lengths are in points, from the upper
+// left corner; em is the font size.
 
 struct Tick {
   double value = 0.0;
@@ -30,46 +28,33 @@ struct Scale {
   double Of(double value) const;
 };
 
-struct PanelPlace {
-  double left = 0.0;
-  double top = 0.0;
-  double width = 0.0;
-  double height = 0.0;
+struct Box {
+  double left, top, right, bottom;
+};
+
+// Where a panel is drawn.
+struct Place {
   Scale x;
   Scale y;
+  // Whether the axes have their labels and titles: of panels that share one, the lowest of a column
+  // and the first of a row.
   bool labels_x = true;
   bool labels_y = true;
-};
-
-struct ChartText {
-  double x = 0.0;
-  double y = 0.0;  // of the baseline
-  std::string text;
-  bool bold = false;
-};
-
-struct LegendEntry {
-  double x = 0.0;
-  double y = 0.0;  // of its middle
-  const Series* series = nullptr;
-};
-
-struct ChartLayout {
+  double widest_y = 0.0;  // label of a tick
+  double left = 0.0;
   double width = 0.0;
   double height = 0.0;
-  double em = 0.0;
-  std::vector<ChartText> texts;  // title and caption
-  std::vector<LegendEntry> legend;
-  std::vector<PanelPlace> panels;  // in the order of the chart
+  Box box{};  // of the panel, once its row is drawn
 };
 
-// `chart` must outlive the result.
-ChartLayout LayOut(const Chart& chart, const ChartStyle& style);
+// Everything about the panels but their tops. All have the same width.
+std::vector<Place> PlacePanels(const Chart& chart, std::size_t columns, double width, double em);
+
+inline constexpr double kLineHeight = 1.3;  // distance of lines of text (em)
 
 // Estimates of a wide sans serif font, since the fonts of the reader are not known.
 double TextWidth(const std::string& text, double em);
+// Breaks at blanks; a word wider than `width` is a line of its own.
 std::vector<std::string> WrapText(const std::string& text, double width, double em);
-// The length of a line sample in the legend (em).
-inline constexpr double kSample = 2.0;
 
 }  // namespace cvo::reports
