@@ -87,7 +87,7 @@ void FindHalfSize(const Sequence& sequence, const char* what, const std::vector<
     right = std::max(right, 2.0 * box.right_px / sequence.camera.width_px);
     bottom = std::max(bottom, 2.0 * box.bottom_px / sequence.camera.height_px);
   }
-  if (boxes.size() < kFewest || std::max(right, bottom) > 1.01 || std::max(right, bottom) < kNear) {
+  if (boxes.size() < kFewest || std::max(right, bottom) > 1.05 || std::max(right, bottom) < kNear) {
     return;
   }
   lines.push_back(StrCat(what, ": all ", boxes.size(), " boxes lie in the upper left quarter of ",
