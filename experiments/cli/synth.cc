@@ -74,6 +74,7 @@ void WritePreview(const synth::SceneDescription& scene, const RenderFlags& flags
 void CheckOutput(const RenderFlags& flags) {
   if (flags.preview) {
     CheckOutputFile(flags.output, {flags.scene});
+    CheckOwnFile(flags.output, "\x89PNG");
     return;
   }
   std::vector<fs::path> read;

@@ -75,21 +75,16 @@ void RefuseFractions(const std::filesystem::path& file, const std::vector<Object
              "boxes in pixels, not in parts of the image");
 }
 
-// Finds boxes in pixels of an image of half the size: all lie in a quarter of this one, up to its
-// middle.
+// Finds boxes in pixels of a smaller image, or in per cent: all lie in a quarter of this one.
 void FindHalfSize(const Sequence& sequence, const char* what, const std::vector<ObjectBox>& boxes,
                   std::vector<std::string>& lines) {
   constexpr std::size_t kFewest = 20;
-  constexpr double kNear = 0.9;
-  double right = 0.0;
-  double bottom = 0.0;
-  for (const ObjectBox& box : boxes) {
-    right = std::max(right, 2.0 * box.right_px / sequence.camera.width_px);
-    bottom = std::max(bottom, 2.0 * box.bottom_px / sequence.camera.height_px);
-  }
-  if (boxes.size() < kFewest || std::max(right, bottom) > 1.01 || std::max(right, bottom) < kNear) {
-    return;
-  }
+  constexpr double kLargest = 0.525;  // detectors end boxes a little beyond the image
+  const StereoCamera& camera = sequence.camera;
+  const bool small = std::ranges::all_of(boxes, [&](const ObjectBox& box) {
+    return box.right_px < kLargest * camera.width_px && box.bottom_px < kLargest * camera.height_px;
+  });
+  if (boxes.size() < kFewest || !small) return;
   lines.push_back(StrCat(what, ": all ", boxes.size(), " boxes lie in the upper left quarter of ",
                          "the image (of an image of half the size?)"));
 }
@@ -128,6 +123,7 @@ void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<
     find("truncation", box.truncation, -1.0, 2.0);
     if (!box.box3d) continue;
     find("heading", box.box3d->heading_rad, -6.3, 6.3);
+    find("length", box.box3d->length_m, 0.0, 40.0);
     const Eigen::Vector3d centre =
         box.box3d->bottom_in_camera +
         Eigen::Vector3d(sequence.left_offset_m, -0.5 * box.box3d->height_m, 0.0);
