@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build program demo report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
+.PHONY: help deps build program deb demo report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -64,6 +64,10 @@ demo: program ## render one room, run two variants on it, draw a picture and wri
 	@$(call suite,demo)
 	@$(release)/bin/clustervo report results/demo
 	@$(release)/bin/clustervo overlay --suite results/demo --sequence room_3 --frame 40 -o results/demo/pictures -q
+
+deb: program ## pack the program and its Python package for other machines: build/release/clustervo_*.deb
+	@.ci/install-packages dpkg-dev file
+	@cd $(release) && cpack -G DEB
 
 table: program ## the paper's ablation on rooms of the test split, end to end: its table, and results/ablation
 	@$(call suite,ablation)

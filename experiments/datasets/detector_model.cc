@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/files/json/json_record.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 
@@ -281,6 +282,8 @@ struct DetectorModel::Network {
   cv::dnn::Net net;
   std::vector<std::string> outputs;
   OutputLayout layout = OutputLayout::kDarknet;
+  int sure = 0;       // rows that were sure of an object
+  int classless = 0;  // of them, those without a class
 
   bool IsDarknet() const { return files.model.extension() == ".cfg"; }
   // YOLOX was trained on values of 0 to 255 in BGR order.
@@ -305,6 +308,14 @@ struct DetectorModel::Network {
     for (const cv::Mat& output : Forward(input)) {
       const cv::Mat rows = IsDarknet() ? output : RowsOf(output, categories, files.model.string());
       const auto more = DecodeRows(rows, layout, size, categories, min_score);
+      for (int i = 0; HasObjectness(layout) && i < rows.rows; ++i) {
+        constexpr float kSure = 0.5F;
+        constexpr float kNoClass = 0.05F;
+        const float* row = rows.ptr<float>(i);
+        if (row[4] < kSure) continue;
+        ++sure;
+        if (*std::max_element(row + 5, row + rows.cols) < kNoClass) ++classless;
+      }
       boxes.insert(boxes.end(), more.begin(), more.end());
     }
     return boxes;
@@ -373,6 +384,17 @@ std::vector<Detection> DetectorModel::Detect(const cv::Mat& image, const Detecto
     detections.push_back(std::move(detection));
   }
   return detections;
+}
+
+void DetectorModel::CheckClasses() const {
+  const Network& network = *network_;
+  if (2 * network.classless <= network.sure || network.files.layout) return;
+  const std::size_t names = network.names.size();
+  ThrowError(network.files.model.string(),
+             StrCat(network.classless, " of ", network.sure, " sure boxes without a class, as of ",
+                    NameOf(OutputLayout::kYolov8), " with ", names + 1, " classes"),
+             StrCat("as many names as classes (", network.files.names.string(), " has ", names,
+                    "), or --layout ", NameOf(network.layout)));
 }
 
 OutputLayout DetectorModel::layout() const { return network_->layout; }

@@ -101,6 +101,10 @@ class DetectorModel {
   // of the image and clipped to it.
   std::vector<Detection> Detect(const cv::Mat& image, const DetectorOptions& options);
 
+  // Throws Error if most rows so far that were sure of an object had no class: then what was taken
+  // for their objectness is the score of a class, and a name is missing.
+  void CheckClasses() const;
+
   OutputLayout layout() const;
   cv::Size input() const;
 

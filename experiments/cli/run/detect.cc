@@ -103,10 +103,15 @@ int DetectBoxes(DetectFlags& flags) {
   cv::setNumThreads(flags.threads);
   DetectorModel model(flags.files);
   const Outcome outcome = DetectAll(sequence, model, flags.options);
+  model.CheckClasses();
   WriteOutputFile(flags.output, outcome.rows, read);
   const std::size_t frames = sequence.images.size() - outcome.images_skipped;
   std::cout << sequence.name << ": " << outcome.boxes << " boxes in " << frames << " frames";
   if (outcome.images_skipped > 0) std::cout << ", " << outcome.images_skipped << " skipped";
+  if (outcome.boxes == 0) {
+    std::cout << "\nno box has the minimum score (--min-score " << flags.options.min_score
+              << "): are --names, --input and the layout those of the network?";
+  }
   std::cout << "\nnetwork: " << NameOf(model.layout()) << ", input " << model.input().width << "x"
             << model.input().height << " px, "
             << FrameRateText(static_cast<double>(frames) / std::max(1e-9, outcome.network_s))
