@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,10 +17,12 @@
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
 #include "core/files/json/options_json.h"
+#include "core/files/text/number.h"
 #include "core/interface/frame.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/plausibility.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/metrics/camera_metrics.h"
 #include "experiments/runner/frame_source.h"
 #include "experiments/runner/identity.h"
 #include "experiments/runner/run_files.h"
@@ -263,6 +266,17 @@ reports::RunPaths PathsOf(const Sequence& sequence, const std::filesystem::path&
   return paths;
 }
 
+// An error of position can hide that the camera ends up turned.
+void WarnOfRotation(RunResult& run) {
+  constexpr double kLimit_deg = 2.0;
+  const Metric* error = FindMetric(run.scores.metrics, "camera_end_rotation");
+  const double error_deg = error ? error->value * 180.0 / std::numbers::pi : 0.0;
+  if (error_deg > kLimit_deg) {
+    run.warnings.push_back(StrCat("the camera ends turned by ", FormatGeneral(error_deg, 3),
+                                  " degrees against the truth; up to ", kLimit_deg, " are usual"));
+  }
+}
+
 }  // namespace
 
 std::optional<RunResult> RunJob(const RunRequest& request, const std::filesystem::path& folder) {
@@ -281,6 +295,7 @@ std::optional<RunResult> RunJob(const RunRequest& request, const std::filesystem
   run->timing.threads = request.threads;
   run->timing.paths = PathsOf(request.sequence, folder);
   run->scores = ScoreRun(*run, bodies);
+  WarnOfRotation(*run);
   WriteRunFiles(folder, *run, bodies, std::move(landmarks));
   return run;
 }

@@ -189,6 +189,21 @@ Gathered Gather(const RowRuns& row, const RowRuns* reference, const std::vector<
   return gathered;
 }
 
+// The mean of camera_truth_gap over the runs of a row, for a position error of the camera.
+std::optional<double> TruthGap(const RowRuns& row, const std::string& metric) {
+  const std::optional<MetricForm> form = FindForm(metric);
+  if (!form || form->id < MetricId::kCameraAte || form->id > MetricId::kCameraAteVelocity) {
+    return std::nullopt;
+  }
+  std::vector<double> gaps;
+  for (const SuiteRun* run : row.runs) {
+    const MetricValue* gap =
+        run->run ? FindMetric(*run->run, MetricName({MetricId::kCameraTruthGap})) : nullptr;
+    if (gap) gaps.push_back(gap->value);
+  }
+  return gaps.empty() ? std::nullopt : std::optional(MeanOf(gaps));
+}
+
 Within WithinOf(const std::string& metric) {
   const bool count = FindBodyMetric(metric) && FindEntry(metric)->kind == MetricKind::kCount;
   return count ? Within::kSum : Within::kMean;
@@ -238,7 +253,15 @@ std::optional<Difference> MakeDifference(const RowRuns& row, const RowRuns& refe
                                          const Column& column) {
   const auto estimate = EstimateDifference(Gather(row, &reference, keys, column.metric).samples,
                                            WithinOf(column.metric));
-  return estimate ? std::optional(Difference{*estimate}) : std::nullopt;
+  if (!estimate) return std::nullopt;
+  Difference difference = {*estimate};
+  const std::optional<double> gap = TruthGap(row, column.metric);
+  if (gap && std::abs(difference.difference) < *gap) {
+    difference.truth_gap = gap;
+    difference.percent.reset();
+    difference.p_value.reset();
+  }
+  return difference;
 }
 
 void CorrectForMany(const std::vector<Difference*>& differences) {

@@ -61,6 +61,7 @@ void AddStatistics(const Table& table, Lines& lines) {
   NamesByText counts;
   std::size_t intervals = 0;
   std::size_t comparisons = 0;
+  bool undecided = false;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     Lines of_rows;
     for (const Row& row : table.rows) {
@@ -68,11 +69,17 @@ void AddStatistics(const Table& table, Lines& lines) {
       if (cell.value) AddOnce(CountsText(cell.n), of_rows);
       intervals += cell.interval ? 1 : 0;
       comparisons += cell.difference && cell.difference->adjusted_p_value ? 1 : 0;
+      undecided = undecided || (cell.difference && cell.difference->truth_gap);
     }
     counts.Add(Joined(of_rows, " or "), ColumnName(table, i));
   }
   counts.Print("n, ", lines);
   if (intervals > 0) lines.push_back(StrCat("low..high: ", kIntervalMeaning));
+  if (undecided) {
+    lines.emplace_back(
+        "within the gap of the truths: smaller than camera_truth_gap, by which the two truths of "
+        "the recording differ themselves; such a difference has no percentage and no mark");
+  }
   if (comparisons == 0) return;
   lines.push_back(StrCat(
       "*: distinguishable from noise: the interval of the paired difference excludes 0, and its "

@@ -55,9 +55,13 @@ struct Difference : PairedEstimate {
   // The interval excludes 0, adjusted_p_value is below 5 %, and there are enough pairs.
   bool distinguishable = false;
   std::optional<double> adjusted_p_value = {};  // corrected for all comparisons of the table (Holm)
+  // camera_truth_gap of the runs, where the difference is smaller: the truth does not decide it, so
+  // it has no percentage and no p-value.
+  std::optional<double> truth_gap = {};
 
   CVO_RECORD(CVO_FIELD(value, reference_value, difference) CVO_OPTIONAL(interval, percent)
-                 CVO_FIELD(distinguishable, pairs) CVO_OPTIONAL(p_value, adjusted_p_value));
+                 CVO_FIELD(distinguishable, pairs)
+                     CVO_OPTIONAL(p_value, adjusted_p_value, truth_gap));
 };
 
 struct Cell {

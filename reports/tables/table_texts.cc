@@ -149,6 +149,7 @@ CellText DifferenceText(const std::optional<Difference>& difference, int decimal
   text.value = with_sign(Fixed(difference->difference, decimals));
   if (difference->interval) text.interval = RangeText(*difference->interval, decimals);
   if (difference->percent) text.percent = with_sign(Fixed(*difference->percent, 1)) + "%";
+  if (difference->truth_gap) text.percent = "within the gap of the truths";
   text.n = Counted(difference->pairs, "pair");
   text.distinguishable = difference->distinguishable;
   return text;

@@ -210,6 +210,16 @@ TEST(Oxts, ConvertsDegreesToMetresInEveryDirection) {
   EXPECT_NEAR((poses[3].translation() - Eigen::Vector3d(0, 0, 10)).norm(), 0.0, 1e-9);
 }
 
+TEST(Oxts, VelocitiesAreIntegratedInTheAxesOfTheFirstPacket) {
+  OxtsPacket start{49.0, 8.0, 100.0, 0.0, 0.0, 0.5 * std::numbers::pi};  // towards the north
+  start.velocity_m_s = {0.0, 10.0, 0.0};
+  OxtsPacket faster = start;
+  faster.velocity_m_s = {1.0, 12.0, 0.0};
+  const auto poses = ImuPosesByVelocity({start, start, faster}, {0, 100'000'000, 300'000'000});
+  EXPECT_NEAR((poses[1].translation() - Eigen::Vector3d(1.0, 0, 0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((poses[2].translation() - Eigen::Vector3d(3.2, -0.1, 0)).norm(), 0.0, 1e-12);
+}
+
 TEST(Oxts, AnglesAreYawThenPitchThenRoll) {
   const OxtsPacket start{49.0, 8.0, 100.0, 0.0, 0.0, 0.0};
   OxtsPacket turned = start;

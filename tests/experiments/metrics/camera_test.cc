@@ -62,6 +62,37 @@ TEST(Ate, IsZeroForARigidlyMovedTruthButNotForAScaledOne) {
   EXPECT_GT(Value(EvaluateCamera(pair.truth, scaled), "camera_ate"), 0.5);
 }
 
+TEST(Ate, PartsAreInTheAxesOfTheTrueCamera) {
+  // Cameras that look along y of the world, x to the right: errors along x, y, z of the world are
+  // lateral, longitudinal and vertical. Opposite signs leave no alignment.
+  const Eigen::Vector3d look = {-0.5 * std::numbers::pi, 0.0, 0.0};
+  const Eigen::Vector3d error = {0.1, 0.2, 0.3};
+  OptionalPoses truth, estimate;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d corner((i & 1) * 2e6 - 1e6, (i & 2) * 1e6 - 1e6, (i & 4) * 5e5 - 1e6);
+    const double sign = (i == 0 || i == 3 || i == 5 || i == 6) ? 1.0 : -1.0;
+    truth.push_back(Pose(look, corner));
+    estimate.push_back(Pose(look, corner + sign * error));
+  }
+  const auto metrics = EvaluateCamera(truth, estimate);
+  EXPECT_NEAR(Value(metrics, "camera_ate_lateral"), 0.1, 1e-6);
+  EXPECT_NEAR(Value(metrics, "camera_ate_longitudinal"), 0.2, 1e-6);
+  EXPECT_NEAR(Value(metrics, "camera_ate_vertical"), 0.3, 1e-6);
+}
+
+TEST(EndRotation, IsThatOfTheWholeMotion) {
+  const OptionalPoses truth = {Pose({0, 1, 0}, {0, 0, 0}), At(1), Pose({0, 1.5, 0}, {2, 0, 0})};
+  const OptionalPoses estimate = {At(0), Pose({1, 0, 0}, {1, 0, 0}), Pose({0, 0.4, 0}, {2, 0, 0})};
+  EXPECT_NEAR(Value(EvaluateCamera(truth, estimate), "camera_end_rotation"), 0.1, 1e-12);
+}
+
+TEST(Truths, TheirGapAndTheErrorAgainstTheSecond) {
+  const OptionalPoses truth = {At(0), At(1), At(2)}, second = {At(0), At(1.1), At(2.2)};
+  const auto same = CompareTruths(truth, second, second);
+  EXPECT_NEAR(Value(same, "camera_ate_velocity"), 0.0, 1e-12);
+  EXPECT_NEAR(Value(same, "camera_truth_gap"), 0.1 * std::sqrt(2.0 / 3.0), 1e-12);
+}
+
 TEST(CameraMetrics, DoNotDependOnTheWorldFrameOfTheEstimate) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     const Pair pair = RandomPair(seed, 60);

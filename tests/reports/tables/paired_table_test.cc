@@ -16,12 +16,15 @@ namespace {
 
 using test::BodyOf;
 using test::Json;
+using test::MetricOf;
 using test::Result;
 using test::SuiteResults;
 using test::WithBodies;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+
+constexpr char kRootMeanSquare[] = "root mean square of position errors";
 
 const Cell& CellOf(const Table& table, std::size_t row, const std::string& metric) {
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -103,6 +106,28 @@ TEST(PairedTable, MarksDistinguishableDifferences) {
   ASSERT_EQ(json["columns"][2]["metric"], "object_coverage");
   EXPECT_FALSE(json["rows"][1]["cells"][2]["difference"]["distinguishable"].get<bool>());
   EXPECT_EQ(TableJson(table), TableJson(MakeTable(suite.Written(), {}, "")));
+}
+
+TEST(PairedTable, MarksNoDifferenceThatTheTruthDoesNotDecide) {
+  for (const double gap_m : {0.1, 0.001}) {
+    SuiteResults suite;
+    suite.table["rows"] = {"variant"};
+    suite.table["reference"] = "full";
+    for (const double ate_m : {0.05, 0.07}) {
+      Json result = Result("drive");
+      result["metrics"].push_back(MetricOf("camera_truth_gap", gap_m, "m", kRootMeanSquare));
+      for (Json& metric : result["metrics"]) {
+        if (metric["name"] == "camera_ate") metric["value"] = ate_m;
+      }
+      suite.Add(result, ate_m == 0.05 ? "full" : "2d");
+    }
+    const Table table = MakeTable(suite.Written(), {}, "");
+    const auto ate = CellOf(table, 1, "camera_ate").difference;
+    ASSERT_TRUE(ate);
+    EXPECT_EQ(ate->percent.has_value(), gap_m < 0.02);
+    EXPECT_EQ(TableListing(table).find("within the gap of the truths") != std::string::npos,
+              gap_m > 0.02);
+  }
 }
 
 // Ten rooms of a family with one body each; the second variant is worse in all of them.
