@@ -98,7 +98,8 @@ std::string FigureHtml(const Figure& figure) {
   style.css = false;
   return StrCat("<figure id=\"figure-", Escaped(figure.name), "\">\n<figcaption>",
                 Element("strong", figure.title.substr(0, end)), Escaped(figure.title.substr(end)),
-                " ", Escaped(figure.caption), "</figcaption>\n<div class=\"scroll chart\" style=\"",
+                end < figure.title.size() ? "." : "", " ", Escaped(figure.caption),
+                "</figcaption>\n<div class=\"scroll chart\" style=\"",
                 "--part:", FormatGeneral(figure.chart.width, 4), "\">",
                 ChartSvg(figure.chart, style), "</div>\n</figure>\n");
 }

@@ -116,7 +116,7 @@ TEST(CliTables, EveryFormatIsPrinted) {
   suite.Add(Result());
   EXPECT_THAT(Print(suite, {"--format", "markdown"}).out, StartsWith("**small**"));
   EXPECT_THAT(Print(suite, {"--format", "csv"}).out,
-              AllOf(StartsWith("sequence,variant,system,"), HasSubstr(",0.0625,")));
+              AllOf(StartsWith("sequence,variant,frames,"), HasSubstr(",0.0625,")));
   EXPECT_THAT(Print(suite, {"--format", "latex"}).out,
               AllOf(StartsWith("% small\n"), HasSubstr("\\toprule")));
   EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json")) << "asked for something else";
