@@ -23,15 +23,20 @@ namespace cvo {
 namespace fs = std::filesystem;
 namespace {
 
-void CheckNoGap(const fs::path& folder, const std::map<std::int64_t, fs::path>& files) {
-  std::int64_t expected = 0;
+// The files of a folder in the order of their numbers, which must have no gap.
+std::vector<fs::path> WithoutGap(const fs::path& folder,
+                                 const std::map<std::int64_t, fs::path>& files) {
+  std::vector<fs::path> paths;
+  std::int64_t expected = files.begin()->first;
   for (const auto& [number, path] : files) {
     if (number != expected) {
       ThrowError(folder.string(), StrCat(files.size(), " files without number ", expected),
-                 StrCat("all from 0 to ", files.rbegin()->first));
+                 StrCat("all from ", files.begin()->first, " to ", files.rbegin()->first));
     }
     ++expected;
+    paths.push_back(path);
   }
+  return paths;
 }
 
 void CheckSize(const fs::path& path, const StereoImages& images, const fs::path& first) {
@@ -41,21 +46,27 @@ void CheckSize(const fs::path& path, const StereoImages& images, const fs::path&
              StrCat(images.width_px, "x", images.height_px, " as in ", first.string()));
 }
 
-// Colour is converted to grey here and not by the PNG library, whose arithmetic depends on its
-// version.
-cv::Mat DecodeGrey(const std::string& bytes, bool is_png) {
-  if (is_png) {
-    cv::Mat grey = DecodeGreyPng(bytes);
-    if (!grey.empty()) return grey;
-  }
-  const cv::Mat decoded = DecodeImage(bytes, cv::IMREAD_UNCHANGED);
-  if (decoded.empty() || decoded.depth() != CV_8U || decoded.channels() == 1) return decoded;
-  cv::Mat grey;
-  cv::cvtColor(decoded, grey, decoded.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
-  return grey;
+std::string LowerExtension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 }  // namespace
+
+cv::Mat DecodeGrey(std::string_view bytes) {
+  cv::Mat grey = DecodeGreyPng(bytes);
+  if (!grey.empty()) return grey;
+  cv::Mat decoded = DecodeImage(bytes, cv::IMREAD_UNCHANGED);
+  if (decoded.depth() == CV_16U) {
+    constexpr double kScale = 255.0 / 65535.0;
+    decoded.convertTo(decoded, CV_8U, kScale);
+  }
+  if (decoded.empty() || decoded.depth() != CV_8U || decoded.channels() == 1) return decoded;
+  cv::cvtColor(decoded, grey, decoded.channels() == 4 ? cv::COLOR_BGRA2GRAY : cv::COLOR_BGR2GRAY);
+  return grey;
+}
 
 std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder,
                                                const std::string& extension) {
@@ -70,7 +81,7 @@ std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder,
       ThrowError(path.string(), "a JPEG image", "PNG images (JPEG changes pixels)");
     }
     const std::string stem = path.stem().string();
-    if (path.extension() != extension ||
+    if (LowerExtension(path) != extension ||
         stem.find_first_not_of("0123456789") != std::string::npos) {
       continue;
     }
@@ -85,14 +96,6 @@ std::map<std::int64_t, fs::path> NumberedFiles(const fs::path& folder,
   }
   if (files.empty()) ThrowError(folder.string(), "no " + pattern, "at least one such file");
   return files;
-}
-
-std::vector<fs::path> ListNumberedFiles(const fs::path& folder, const std::string& extension) {
-  const std::map<std::int64_t, fs::path> files = NumberedFiles(folder, extension);
-  CheckNoGap(folder, files);
-  std::vector<fs::path> paths;
-  for (const auto& [number, path] : files) paths.push_back(path);
-  return paths;
 }
 
 StereoImages CheckedImages(std::vector<StereoPaths> paths) {
@@ -139,15 +142,21 @@ std::vector<std::pair<std::size_t, std::size_t>> PairByTime(const Times& left_ns
 }
 
 StereoImages ListStereoImages(const fs::path& left_folder, const fs::path& right_folder) {
-  const std::vector<fs::path> left = ListNumberedFiles(left_folder, ".png");
-  const std::vector<fs::path> right = ListNumberedFiles(right_folder, ".png");
-  if (left.size() != right.size()) {
-    ThrowError(right_folder.string(), StrCat(right.size(), " images"),
-               StrCat(left.size(), ", as many as in ", left_folder.string()));
+  const auto of_left = NumberedFiles(left_folder, ".png");
+  const auto of_right = NumberedFiles(right_folder, ".png");
+  const std::vector<fs::path> left = WithoutGap(left_folder, of_left);
+  const std::vector<fs::path> right = WithoutGap(right_folder, of_right);
+  const std::int64_t first = of_left.begin()->first;
+  if (of_right.begin()->first != first || left.size() != right.size()) {
+    ThrowError(right_folder.string(),
+               StrCat(right.size(), " images from number ", of_right.begin()->first),
+               StrCat(left.size(), ", as many as in ", left_folder.string(), ", from ", first));
   }
   std::vector<StereoPaths> paths;
   for (std::size_t i = 0; i < left.size(); ++i) paths.push_back({left[i], right[i]});
-  return CheckedImages(std::move(paths));
+  StereoImages images = CheckedImages(std::move(paths));
+  images.first = static_cast<int>(first);
+  return images;
 }
 
 LoadedImage LoadGrey(const std::filesystem::path& path) {
@@ -169,12 +178,12 @@ LoadedImage LoadGrey(const std::filesystem::path& path) {
   const auto damage = IsJpeg(path) ? FindJpegDamage(bytes) : FindPngDamage(bytes);
   if (damage) return fail(*damage);
   try {
-    image.grey = DecodeGrey(bytes, !IsJpeg(path));
+    image.grey = DecodeGrey(bytes);
   } catch (const cv::Exception& error) {
     return fail(StrCat("one that OpenCV refuses (", error.err, ")"));
   }
   if (image.grey.empty()) return fail("one that cannot be decoded");
-  if (image.grey.type() != CV_8UC1) return fail("one that has not 8 bits per channel");
+  if (image.grey.type() != CV_8UC1) return fail("one that has not 8 or 16 bits per channel");
   return image;
 }
 

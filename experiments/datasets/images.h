@@ -7,6 +7,7 @@
 #include <map>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,13 +18,13 @@ namespace cvo {
 // The image files of both cameras of a pair, in frame order, and their common size.
 struct StereoImages {
   std::vector<StereoPaths> paths;
+  int first = 0;  // number of the first file: a part of a recording starts later
   int width_px = 0;
   int height_px = 0;
 };
 
-// Lists the numbered images of both folders and checks that they are numbered 0, 1, ... without
-// gaps, that there are equally many on both sides, and that all have the same size. Throws Error
-// otherwise.
+// Lists the numbered images of both folders and checks that both have the same numbers without
+// gaps, and that all have the same size. Throws Error otherwise.
 StereoImages ListStereoImages(const std::filesystem::path& left_folder,
                               const std::filesystem::path& right_folder);
 
@@ -39,14 +40,15 @@ std::vector<std::pair<std::size_t, std::size_t>> PairByTime(const Times& left_ns
                                                             const std::filesystem::path& right,
                                                             std::vector<std::string>& notes);
 
-// Returns the files <number><extension> of a folder by number; others are ignored. Throws
-// Error if there are none, or two with one number.
+// Returns the files <number><extension> of a folder by number, with the extension in any case;
+// others are ignored. Throws Error if there are none, or two with one number.
 std::map<std::int64_t, std::filesystem::path> NumberedFiles(const std::filesystem::path& folder,
                                                             const std::string& extension);
 
-// Returns them sorted by number. Throws Error unless the numbers are 0, 1, ... without gaps.
-std::vector<std::filesystem::path> ListNumberedFiles(const std::filesystem::path& folder,
-                                                     const std::string& extension);
+// Decodes an image to 8-bit grey. Colour is converted here (0.299 R + 0.587 G + 0.114 B) and not by
+// libraries, whose arithmetic depends on their version; 16 bits are scaled, transparency is
+// ignored. Returns an empty image if the bytes cannot be decoded.
+cv::Mat DecodeGrey(std::string_view bytes);
 
 struct LoadedImage {
   cv::Mat grey;         // CV_8UC1; empty if there is a problem
@@ -56,9 +58,8 @@ struct LoadedImage {
   bool ok() const { return problem.empty(); }
 };
 
-// Reads, hashes and decodes a PNG or JPEG file; colour is converted to grey (0.299 R + 0.587 G +
-// 0.114 B). A missing, damaged or truncated file is reported as the result's `problem`, so that the
-// caller can skip the frame.
+// Reads, hashes and decodes a PNG or JPEG file (DecodeGrey). A missing, damaged or truncated file
+// is reported as the result's `problem`, so that the caller can skip the frame.
 [[nodiscard]] LoadedImage LoadGrey(const std::filesystem::path& path);
 
 // Loads the left (0) or right (1) image of a frame, and rectifies it if the files of the sequence

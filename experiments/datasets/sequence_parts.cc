@@ -178,18 +178,20 @@ void AddImages(const CameraPair& pair, const CameraRig& rig, Sequence& sequence)
   StereoImages images = ListStereoImages(pair.left_folder, pair.right_folder);
   sequence.pair = pair.name;
   sequence.images = std::move(images.paths);
-  sequence.total_frames = static_cast<int>(sequence.images.size());
+  sequence.first_frame = images.first;
+  sequence.total_frames = images.first + static_cast<int>(sequence.images.size());
   sequence.camera = rig.Stereo(pair.left, pair.right, images.width_px, images.height_px);
   sequence.camera.Check();
   sequence.left_offset_m = rig.Offset_m(pair.left);
 }
 
 void AddTimes(const fs::path& file, std::vector<std::int64_t> times_ns, Sequence& sequence) {
-  if (times_ns.size() != sequence.images.size()) {
+  auto of_images = OfImages(times_ns, file.string() + ": times", sequence);
+  if (!of_images) {
     ThrowError(file.string(), StrCat(times_ns.size(), " times"),
-               StrCat(sequence.images.size(), ", as many as images"));
+               StrCat(sequence.images.size(), ", as many as images, or more"));
   }
-  sequence.timestamps_ns = std::move(times_ns);
+  sequence.timestamps_ns = std::move(*of_images);
   sequence.other_files.push_back(file);
 }
 
@@ -225,6 +227,10 @@ void AddPair(const SequenceRequest& request, const std::string& pair, StereoImag
              Sequence& sequence) {
   if (!request.pair.empty() && request.pair != pair) {
     FailPair(request.pair, {pair});
+  }
+  if (images.first != 0) {
+    ThrowError(images.paths[0].left.string(), StrCat("a first image with number ", images.first),
+               "images from number 0 on");
   }
   sequence.pair = pair;
   sequence.images = std::move(images.paths);
@@ -269,9 +275,17 @@ void AddCameraTruth(std::vector<std::optional<RigidTransform>> world_from_left,
 
 void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& carrier_from_left,
                     const std::string& reason, Sequence& sequence) {
+  constexpr std::int64_t kLongestGap_ns = 500'000'000;
   std::vector<std::optional<RigidTransform>> poses;
   for (const std::int64_t time_ns : sequence.timestamps_ns) {
     std::optional<RigidTransform> pose = InterpolatePose(world_from_carrier, time_ns);
+    const auto after = std::lower_bound(
+        world_from_carrier.begin(), world_from_carrier.end(), time_ns,
+        [](const TimedPose& of, std::int64_t time) { return of.timestamp_ns < time; });
+    if (pose && after->timestamp_ns != time_ns &&
+        after->timestamp_ns - (after - 1)->timestamp_ns > kLongestGap_ns) {
+      pose.reset();
+    }
     if (pose) *pose = *pose * carrier_from_left;
     poses.push_back(pose);
   }
@@ -306,13 +320,18 @@ void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, con
 }
 
 void CutFrames(const SequenceRequest& request, Sequence& sequence) {
+  const int first = sequence.first_frame;  // of the images there are
   const FrameRange range =
-      ResolveFrameRange({request.begin_frame, request.end_frame}, sequence.total_frames);
+      ResolveFrameRange({std::max(request.begin_frame, first), request.end_frame},
+                        first + static_cast<int>(sequence.images.size()));
   sequence.first_frame = range.begin;
-  Cut(range, sequence.images);
-  Cut(range, sequence.timestamps_ns);
-  Cut(range, sequence.groundtruth_world_from_camera);
-  if (!sequence.velocity_world_from_camera.empty()) Cut(range, sequence.velocity_world_from_camera);
+  const FrameRange of_images = {range.begin - first, range.end - first};
+  Cut(of_images, sequence.images);
+  Cut(of_images, sequence.timestamps_ns);
+  Cut(of_images, sequence.groundtruth_world_from_camera);
+  if (!sequence.velocity_world_from_camera.empty()) {
+    Cut(of_images, sequence.velocity_world_from_camera);
+  }
   CutBoxes(range, sequence.labels);
   CutBoxes(range, sequence.detections);
 }

@@ -4,10 +4,13 @@
 
 // Shared by the layouts and OpenSequence; not for use elsewhere.
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/files/json/json_record.h"
 #include "experiments/datasets/calibration/kitti_calibration.h"
 #include "experiments/datasets/calibration/stereo_rig.h"
@@ -61,6 +64,23 @@ CameraPair ChoosePair(const SequenceRequest& request, const std::vector<CameraPa
 void AddImages(const CameraPair& pair, const CameraRig& rig, Sequence& sequence);
 void AddTimes(const std::filesystem::path& file, std::vector<std::int64_t> times_ns,
               Sequence& sequence);
+
+// Returns those of `all` that belong to the images: all if there is one per image, or, of a list of
+// the whole recording, those with the numbers of the images, which is noted. Empty if too few.
+template <typename T>
+std::optional<std::vector<T>> OfImages(const std::vector<T>& all, const std::string& what,
+                                       Sequence& sequence) {
+  const std::size_t images = sequence.images.size();
+  const auto first = static_cast<std::size_t>(sequence.first_frame);
+  if (all.size() == images) return all;
+  if (all.size() < first + images) return std::nullopt;
+  sequence.total_frames = std::max(sequence.total_frames, static_cast<int>(all.size()));
+  sequence.notes.push_back(StrCat(what, ": ", all.size(), " for ", images,
+                                  " images, of which those of frames ", first, " to ",
+                                  first + images - 1, " are used"));
+  const auto begin = all.begin() + sequence.first_frame;
+  return std::vector<T>(begin, begin + static_cast<std::ptrdiff_t>(images));
+}
 
 // Returns world_from_camera of the left camera for poses of the IMU, empty or imu_0_from_imu_i.
 std::vector<std::optional<RigidTransform>> CameraPoses(

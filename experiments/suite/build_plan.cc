@@ -379,4 +379,9 @@ BuiltPlan BuildPlan(const Suite& suite, const PlanRequest& request) {
   return Planner(suite, request).Build();
 }
 
+Preparation FindScene(const fs::path& cache, const SuiteSequence& sequence,
+                      const GridPoint& parameters, std::uint64_t seed) {
+  return SceneFolders(cache).Find(sequence, parameters, seed);
+}
+
 }  // namespace cvo

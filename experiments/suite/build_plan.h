@@ -82,4 +82,9 @@ struct BuiltPlan {
 // recorded in the job, never thrown.
 BuiltPlan BuildPlan(const Suite& suite, const PlanRequest& request);
 
+// Where one scene of a suite is rendered below the cache, and how. Throws Error for an invalid
+// scene, and if no renderer is available.
+Preparation FindScene(const std::filesystem::path& cache, const SuiteSequence& sequence,
+                      const GridPoint& parameters, std::uint64_t seed);
+
 }  // namespace cvo

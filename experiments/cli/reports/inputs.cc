@@ -36,9 +36,8 @@ fs::path RenderedScene(const reports::OverlayRun& run) {
   const Plan plan = ParsePlan(ReadJson(file, {}), file.string());
   const PlanJob* job = FindBy(plan.jobs, &PlanJob::job, run.folder.filename().string());
   if (job == nullptr) ThrowError(file.string(), "not the job of " + run.folder.string(), "it");
-  const Preparation scene =
-      SceneFolders(synth::CacheFolder())
-          .Find(plan.suite.sequences.at(job->entry), job->parameters, job->seed);
+  const Preparation scene = FindScene(synth::CacheFolder(), plan.suite.sequences.at(job->entry),
+                                      job->parameters, job->seed);
   if (fs::exists(scene.output / synth::kManifestName)) return scene.output;
   PrintNotice(StrCat("rendering ", run.sequence.name, " again"));
   std::vector<std::string> command = {fs::read_symlink("/proc/self/exe").string()};

@@ -4,6 +4,8 @@
 
 #include <libdeflate.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -48,7 +50,7 @@ std::string DescribeNonPng(std::string_view bytes) {
 
 // From the first bytes alone.
 cv::Size ReadPngSize(const std::filesystem::path& path) {
-  const char* const expected = "a PNG image with 8 bits per channel";
+  const char* const expected = "a PNG image with 8 or 16 bits per channel";
   const std::string header = ReadFileBytes(path, kHeaderBytes);
   const std::string_view bytes = header;
   if (bytes.size() < kHeaderBytes || !bytes.starts_with(kSignature) ||
@@ -61,7 +63,7 @@ cv::Size ReadPngSize(const std::filesystem::path& path) {
     ThrowError(path.string(), StrCat(width, "x", height, " pixels"),
                StrCat("sides between 1 and ", kMaxSide_px));
   }
-  if (bytes[24] != 8) {
+  if (bytes[24] != 8 && bytes[24] != 16) {
     ThrowError(path.string(), StrCat(static_cast<int>(bytes[24]), " bits per channel"), expected);
   }
   return {static_cast<int>(width), static_cast<int>(height)};
@@ -240,8 +242,10 @@ cv::Mat DecodeGreyPng(std::string_view bytes) {
 }
 
 bool IsJpeg(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  return extension == ".jpg" || extension == ".jpeg" || extension == ".JPG";
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".jpg" || extension == ".jpeg";
 }
 
 cv::Size ReadImageSize(const std::filesystem::path& path) {

@@ -21,11 +21,11 @@ namespace cvo {
 // Takes half as long as OpenCV, whose decoding took a seventh of a run.
 cv::Mat DecodeGreyPng(std::string_view bytes);
 
-// Decides by the file extension. Data sets that come as JPEG are read as they are.
+// Decides by the file extension, in any case. Data sets that come as JPEG are read as they are.
 bool IsJpeg(const std::filesystem::path& path);
 
-// Reads the width and height in px from the header of a PNG file with 8 bits per channel, or of a
-// JPEG file that is named as one. Throws Error naming `path` for anything else.
+// Reads the width and height in px from the header of a PNG file with 8 or 16 bits per channel, or
+// of a JPEG file that is named as one. Throws Error naming `path` for anything else.
 cv::Size ReadImageSize(const std::filesystem::path& path);
 
 // Describes what is wrong with the bytes of a JPEG file: no start or no end marker. Empty if the

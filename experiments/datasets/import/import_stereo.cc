@@ -223,7 +223,7 @@ ImportOutcome ImportStereo(const StereoImport& request, const fs::path& folder,
 fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
                          const ImportProgress& progress) {
   constexpr const char* kMadeBy =
-      "import 3\n";  // to be changed if the same input yields other images or an error
+      "import 4\n";  // to be changed if the same input yields other images or an error
   constexpr std::size_t kShortHash = 16;
   Sha256 hash;
   hash.Add(kMadeBy);

@@ -12,7 +12,6 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/files/images/image_file.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/formats/data_rows.h"
@@ -182,8 +181,8 @@ SourceImage ReadSourceImage(const fs::path& file) {
   if (const std::optional<std::string> damage = FindDamage(bytes)) {
     return DamagedImage(file, *damage);
   }
-  const cv::Mat grey = DecodeImage(bytes, cv::IMREAD_GRAYSCALE);
-  if (!grey.empty()) return {grey, grey.size(), ""};
+  const cv::Mat grey = DecodeGrey(bytes);
+  if (grey.type() == CV_8UC1 && !grey.empty()) return {grey, grey.size(), ""};
   if (IsPng(bytes) || IsJpegFile(bytes)) return DamagedImage(file, "damaged pixels");
   ThrowError(file.string(), "no image that can be decoded", "one");
 }

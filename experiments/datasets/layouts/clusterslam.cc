@@ -246,7 +246,10 @@ void AddBoxesOfLandmarks(const Observations& observed, const std::string& catego
 }
 
 void AddTruth(const Settings& settings, Sequence& sequence) {
-  const std::vector<fs::path> files = ListNumberedFiles(sequence.folder / "pose", ".txt");
+  std::vector<fs::path> files;
+  for (const auto& [number, file] : NumberedFiles(sequence.folder / "pose", ".txt")) {
+    if (number == static_cast<std::int64_t>(files.size())) files.push_back(file);
+  }
   if (files.size() != sequence.images.size()) {
     ThrowError((sequence.folder / "pose").string(), StrCat(files.size(), " files"),
                StrCat(sequence.images.size(), ", as many as images"));

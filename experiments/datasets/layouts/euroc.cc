@@ -3,6 +3,8 @@
 
 // EuRoC in the ASL format: mav0/cam0 and cam1 with data/<ns>.png, data.csv and sensor.yaml, and the
 // ground truth of the body in mav0/state_groundtruth_estimate0/data.csv. Images are not rectified.
+// TUM-VI in the same format has its ground truth, with gaps, in mav0/mocap0/data.csv, and may have
+// its calibration in dso/camchain.yaml alone.
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
@@ -66,25 +68,36 @@ std::vector<StereoPaths> PairImages(const fs::path& mav, Sequence& sequence) {
   return pairs;
 }
 
+fs::path Chain(const fs::path& mav) { return mav.parent_path() / "dso/camchain.yaml"; }
+
 void AddTruth(const fs::path& mav, Sequence& sequence) {
-  const fs::path path = mav / "state_groundtruth_estimate0/data.csv";
+  fs::path path = mav / "state_groundtruth_estimate0/data.csv";
+  if (!fs::exists(path) && fs::exists(mav / "mocap0/data.csv")) path = mav / "mocap0/data.csv";
   if (!fs::exists(path)) {
     sequence.missing.push_back(path.string() + ": no ground truth of the camera");
     return;
   }
   const Trajectory body = ReadTrajectory(path).poses;
   sequence.other_files.push_back(path);
-  const RigidTransform body_from_left = YamlMap::Read(mav / "cam0/sensor.yaml").Transform("T_BS");
-  AddCameraTruth(body, body_from_left, "it starts later or ends earlier", sequence);
+  const fs::path left = mav / "cam0/sensor.yaml";
+  const RigidTransform body_from_left =
+      fs::exists(left) ? YamlMap::Read(left).Transform("T_BS")
+                       : YamlMap::Read(Chain(mav)).Map("cam0").Transform("T_cam_imu").Inverse();
+  AddCameraTruth(body, body_from_left, "it starts later, ends earlier or has a gap", sequence);
 }
 
 void ReadEuroc(const SequenceRequest& request, Sequence& sequence) {
   if (sequence.name == "mav0") sequence.name = request.folder.parent_path().filename().string();
   const fs::path mav = MavFolder(request.folder);
   AddPair(request, "grey", CheckedImages(PairImages(mav, sequence)), sequence);
+  const fs::path left = mav / "cam0/sensor.yaml";
   const fs::path right = mav / "cam1/sensor.yaml";
-  AddRig(ReadSensorRig(mav / "cam0/sensor.yaml", right), right, sequence);
-  sequence.other_files.push_back(mav / "cam0/sensor.yaml");
+  if (!fs::exists(left) && fs::exists(Chain(mav))) {
+    AddRig(ReadKalibrRig(Chain(mav), "cam0", "cam1"), Chain(mav), sequence);
+  } else {
+    AddRig(ReadSensorRig(left, right), right, sequence);
+    sequence.other_files.push_back(left);
+  }
   AddTruth(mav, sequence);
   AddBoxes(request, sequence);
 }

@@ -14,6 +14,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/files/text_file.h"
@@ -47,9 +49,10 @@ void AddOdometryTruth(Sequence& sequence) {
   const std::vector<RigidTransform> poses = ReadKittiPoses(path);
   sequence.other_files.push_back(path);
   const std::size_t frames = sequence.images.size();
-  if (poses.size() > frames) {
-    ThrowError(StrCat(path.string(), ":", frames + 1), StrCat(poses.size(), " poses"),
-               StrCat(frames, ", as many as images"));
+  const auto of_images = OfImages(poses, path.string() + ": poses", sequence);
+  if (!of_images && sequence.first_frame > 0) {
+    ThrowError(path.string(), StrCat(poses.size(), " poses"),
+               StrCat(frames, ", as many as images, or those of all frames"));
   }
   if (poses.size() < frames) {
     sequence.missing.push_back(StrCat(path.string(), ": poses of the last ", frames - poses.size(),
@@ -58,7 +61,8 @@ void AddOdometryTruth(Sequence& sequence) {
   if (poses.size() + 1 == frames) {
     sequence.notes.push_back(path.string() + ": one pose less than images: is the first missing?");
   }
-  std::vector<std::optional<RigidTransform>> truth(poses.begin(), poses.end());
+  const std::vector<RigidTransform>& used = of_images ? *of_images : poses;
+  std::vector<std::optional<RigidTransform>> truth(used.begin(), used.end());
   truth.resize(frames);
   sequence.groundtruth_world_from_camera = CameraPoses(truth, RigidTransform(), sequence);
   sequence.groundtruth = "official";
@@ -118,12 +122,8 @@ void ReadKittiOdometry(const SequenceRequest& request, Sequence& sequence) {
 }
 
 // Takes packet i as the ground truth of image i, as the devkit does.
-void AddOxtsTruth(const std::vector<OxtsPacket>& packets, const fs::path& where,
-                  const RigidTransform& camera0_from_imu, Sequence& sequence) {
-  if (packets.size() != sequence.images.size()) {
-    ThrowError(where.string(), StrCat(packets.size(), " packets"),
-               StrCat(sequence.images.size(), ", as many as images"));
-  }
+void AddOxtsTruth(const std::vector<OxtsPacket>& packets, const RigidTransform& camera0_from_imu,
+                  Sequence& sequence) {
   const std::vector<RigidTransform> poses = ImuPoses(packets);
   sequence.groundtruth_world_from_camera =
       CameraPoses({poses.begin(), poses.end()}, camera0_from_imu, sequence);
@@ -166,27 +166,34 @@ RigidTransform ReadCamera0FromImu(const fs::path& date_folder, const Calibration
 }
 
 void AddRawTruth(const fs::path& date_folder, const CalibrationFile& cameras, Sequence& sequence) {
-  const fs::path oxts_folder = sequence.folder / "oxts";
-  if (!fs::exists(oxts_folder)) {
-    sequence.missing.emplace_back("oxts: no ground truth of the camera");
+  const fs::path folder = sequence.folder / "oxts/data";
+  for (const fs::path& needed :
+       {folder, date_folder / "calib_velo_to_cam.txt", date_folder / "calib_imu_to_velo.txt"}) {
+    std::error_code ignored;
+    if (fs::exists(needed) && !fs::is_empty(needed, ignored)) continue;
+    sequence.missing.push_back(needed.string() + ": no ground truth of the camera");
     return;
   }
+  const std::map<std::int64_t, fs::path> files = NumberedFiles(folder, ".txt");
   std::vector<OxtsPacket> packets;
-  for (const fs::path& path : ListNumberedFiles(oxts_folder / "data", ".txt")) {
-    packets.push_back(ReadOxtsPacket(path));
-    sequence.other_files.push_back(path);
+  for (std::size_t i = 0; i < sequence.images.size(); ++i) {
+    const auto file = files.find(sequence.first_frame + static_cast<std::int64_t>(i));
+    if (file == files.end()) {
+      ThrowError(folder.string(),
+                 StrCat("no packet of frame ", sequence.first_frame + static_cast<int>(i)),
+                 "one for each image, or no folder oxts");
+    }
+    packets.push_back(ReadOxtsPacket(file->second));
+    sequence.other_files.push_back(file->second);
   }
   const RigidTransform camera0_from_imu = ReadCamera0FromImu(date_folder, cameras, sequence);
-  AddOxtsTruth(packets, oxts_folder / "data", camera0_from_imu, sequence);
-  const fs::path times_file = oxts_folder / "timestamps.txt";
+  AddOxtsTruth(packets, camera0_from_imu, sequence);
+  const fs::path times_file = folder.parent_path() / "timestamps.txt";
   if (!fs::exists(times_file)) return;
   sequence.other_files.push_back(times_file);
-  const std::vector<std::int64_t> times_ns = ReadDateTimes(times_file);
-  if (times_ns.size() != packets.size()) {
-    ThrowError(times_file.string(), StrCat(times_ns.size(), " times"),
-               StrCat(packets.size(), ", as many as packets"));
-  }
-  const std::vector<RigidTransform> poses = ImuPosesByVelocity(packets, times_ns);
+  const auto times_ns = OfImages(ReadDateTimes(times_file), times_file.string(), sequence);
+  if (!times_ns) return;
+  const std::vector<RigidTransform> poses = ImuPosesByVelocity(packets, *times_ns);
   sequence.velocity_world_from_camera =
       CameraPoses({poses.begin(), poses.end()}, camera0_from_imu, sequence);
 }
@@ -234,7 +241,13 @@ void AddTrackingTruth(const fs::path& oxts_file, const CalibrationFile& calibrat
     return;
   }
   sequence.other_files.push_back(oxts_file);
-  AddOxtsTruth(ReadOxtsPackets(oxts_file), oxts_file, ReadCamera0FromImu(calibration), sequence);
+  const std::vector<OxtsPacket> packets = ReadOxtsPackets(oxts_file);
+  const auto of_images = OfImages(packets, oxts_file.string() + ": packets", sequence);
+  if (!of_images) {
+    ThrowError(oxts_file.string(), StrCat(packets.size(), " packets"),
+               StrCat(sequence.images.size(), ", as many as images, or more"));
+  }
+  AddOxtsTruth(*of_images, ReadCamera0FromImu(calibration), sequence);
 }
 
 // Returns the folder of the set, for <training>/<number> as well as <training>/image_02/<number>.

@@ -88,7 +88,6 @@ TEST(BadRawDrive, Calibration) {
   ExpectFaults(
       WriteDrive,
       {{{{kCameras}}, cameras + " | no such file | can be read"},
-       {{{"../calib_velo_to_cam.txt"}}, "calib_velo_to_cam.txt | no such file | can be read"},
        {{{kCameras, "P_rect_00: " + ProjectionRow(0.0) + "\n"}},
         cameras + " | no P_rect_01 | one projection per camera"},
        {{Calibration("P_rect_01", "10 0 6 -5 0 10 4")},
@@ -118,13 +117,12 @@ TEST(BadRawDrive, Calibration) {
 
 TEST(BadRawDrive, Images) {
   const std::string third = "image_00/data/0000000002.png";
-  const cv::Mat deep(8, 12, CV_16UC1, cv::Scalar(5));
   ExpectFaults(
       WriteDrive,
       {{{{"image_01/data/0000000001.png"}, {"image_01/data/0000000002.png"}},
         "image_01/data | 2 files without number 1 | all from 0 to 3"},
        {{{"image_00/data/0000000000.png"}},
-        "image_00/data | 3 files without number 0 | all from 0 to 3"},
+        "image_01/data | 4 images from number 0 | 3, as many as in"},
        {{{"image_00/data/0000000020.png", GreyPng()}},
         "image_00/data | 5 files without number 4 | all from 0 to 20"},
        {{{"image_01/data/0000000003.png"}}, "image_01/data | 3 images | 4, as many as in"},
@@ -138,7 +136,6 @@ TEST(BadRawDrive, Images) {
         third + " | a JPEG image | a PNG image"},
        {{{third, ""}}, third + " | an empty file | a PNG image"},
        {{{third, GreyPng().substr(0, 20)}}, third + " | a PNG header cut short | a PNG image"},
-       {{{third, EncodePng(deep)}}, third + " | 16 bits per channel | 8 bits"},
        {{{"image_00/data/0000000002.jpg", "anything"}},
         "0000000002.jpg | a JPEG image | PNG images"}});
 }
@@ -167,8 +164,8 @@ TEST(BadRawDrive, TimesAndPackets) {
        {{{packet, ""}}, packet + " | 0 lines | one OxTS packet"},
        {{{packet, far_north}}, packet + ":1 | latitude 91 | within 85"},
        {{{packet, degrees}}, packet + ":1 | an angle of 45 | yaw in radians"},
-       {{{"oxts/data/0000000003.txt"}}, "oxts/data | 3 packets | 4, as many as images"},
-       {{{"oxts/data/0000000001.txt"}}, "oxts/data | 3 files without number 1 | all from 0 to 3"}});
+       {{{"oxts/data/0000000003.txt"}}, "oxts/data | no packet of frame 3 | one for each image"},
+       {{{"oxts/data/0000000001.txt"}}, "oxts/data | no packet of frame 1 | one for each image"}});
 }
 
 TEST(BadRawDrive, TruncatedCalibrationIsReadOrRefused) {
@@ -228,12 +225,10 @@ TEST(BadOdometry, Files) {
       [](const test::TempFolder& root) { return WriteOdometrySequence(root); },
       {{{{"times.txt"}}, "06/times.txt | no such file | can be read"},
        {{{"calib.txt"}}, "06/calib.txt | no such file | can be read"},
-       {{{"times.txt", "0.0\n0.1\n0.2\n0.3\n"}}, "times | 4 times | 3, as many as images"},
+       {{{"times.txt", "0.0\n0.1\n"}}, "times | 2 times | 3, as many as images"},
        {{{"times.txt", "0.0\n0.1\n0.1\n"}}, "times.txt:3 | time 0.1 | one after 0.1"},
        {{{"times.txt", "0.0\n0.1s\n0.2\n"}}, "times.txt:2 | \"0.1s\" | a time"},
        {{{"times.txt", "0.0\n0.1 0.2\n"}}, "times.txt:2 | 2 columns | 1, as in the first row"},
-       {{{"../../poses/06.txt", row + row + row + row}},
-        "poses/06.txt:4 | 4 poses | 3, as many as images"},
        {{{"../../poses/06.txt", row + "1 0 0 0 0 1 0"}},
         "poses/06.txt:2 | 7 columns in a last line without | 12 columns"}});
 }

@@ -78,6 +78,20 @@ TEST_F(LoadGreyTest, ColourBecomesLuma) {
   EXPECT_EQ(with_alpha.grey.at<unsigned char>(3, 3), 76);
 }
 
+TEST_F(LoadGreyTest, SixteenBitsAreScaled) {
+  cv::Mat deep(4, 4, CV_16UC1, cv::Scalar(65535));
+  deep.at<std::uint16_t>(1, 2) = 257 * 100;
+  for (const int channels : {1, 3}) {
+    cv::Mat image = deep;
+    if (channels == 3) cv::merge(std::vector<cv::Mat>(3, deep), image);
+    const LoadedImage loaded = Load(EncodePng(image));
+    ASSERT_TRUE(loaded.ok()) << loaded.problem;
+    EXPECT_EQ(loaded.grey.type(), CV_8UC1);
+    EXPECT_EQ(loaded.grey.at<unsigned char>(1, 2), 100);
+    EXPECT_EQ(loaded.grey.at<unsigned char>(0, 0), 255);
+  }
+}
+
 TEST_F(LoadGreyTest, DetectsDamageToEveryByte) {
   const std::string bytes = GreyPng();
   for (std::size_t i = 0; i < bytes.size(); ++i) {

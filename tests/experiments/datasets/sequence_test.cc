@@ -110,12 +110,53 @@ TEST_F(Sequences, ColourTruthTurnsAboutTheColourCamera) {
 
 TEST_F(Sequences, RawDriveWithoutOxtsHasNoTruth) {
   const fs::path folder = WriteRawDrive(root_);
-  fs::remove_all(folder / "oxts");
-  const Sequence s = OpenSequence({.folder = folder});
-  EXPECT_EQ(s.groundtruth, "none");
-  ASSERT_EQ(s.groundtruth_world_from_camera.size(), 3u);
-  EXPECT_FALSE(s.groundtruth_world_from_camera[0].has_value());
-  EXPECT_THAT(s.missing, ElementsAre(HasSubstr("oxts")));
+  for (const char* removed : {"../calib_velo_to_cam.txt", "oxts/data", "oxts"}) {
+    fs::remove_all(folder / removed);
+    const Sequence s = OpenSequence({.folder = folder});
+    EXPECT_EQ(s.groundtruth, "none");
+    ASSERT_EQ(s.groundtruth_world_from_camera.size(), 3u);
+    EXPECT_FALSE(s.groundtruth_world_from_camera[0].has_value());
+    EXPECT_EQ(s.missing.size(), 1u) << removed;
+  }
+}
+
+// Images 2 to 4 of 8, with what the data set has of all frames.
+TEST_F(Sequences, OpensAPartOfARecording) {
+  struct Case {
+    fs::path whole;
+    std::vector<std::string> images;
+    std::string name;
+  };
+  for (const Case& c :
+       {Case{WriteRawDrive(root_, 8), {"image_00/data", "image_01/data"}, "000000000"},
+        Case{WriteOdometrySequence(root_, 8), {"image_0", "image_1"}, "00000"},
+        Case{WriteTrackingSequence(root_, 8), {"../image_02/0005", "../image_03/0005"}, "00000"}}) {
+    const Sequence whole = OpenSequence({.folder = c.whole});
+    for (const int i : {0, 1, 5, 6, 7}) {
+      for (const std::string& folder : c.images)
+        ASSERT_TRUE(fs::remove((c.whole / folder / StrCat(c.name, i, ".png")).lexically_normal()));
+    }
+    const fs::path boxes = root_.Write("boxes.txt",
+                                       "1 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n"
+                                       "3 -1 Car -1 -1 -10 0 0 1 1 -1 -1 -1 -1 -1 -1 -10 0.5\n");
+    const Sequence part = OpenSequence({.folder = c.whole, .detections_file = boxes});
+    EXPECT_EQ(part.first_frame, 2) << c.whole;
+    EXPECT_EQ(part.images.size(), 3u);
+    EXPECT_EQ(part.images[0].left.filename(), c.name + "2.png");
+    EXPECT_EQ(part.timestamps_ns[1] - part.timestamps_ns[0], 100'000'000);
+    if (!whole.is_rate_assumed) {
+      EXPECT_EQ(part.timestamps_ns[0], whole.timestamps_ns[2]);
+    }
+    ASSERT_TRUE(part.groundtruth_world_from_camera[2].has_value()) << c.whole;
+    const RigidTransform moved =
+        part.groundtruth_world_from_camera[0]->Inverse() * *part.groundtruth_world_from_camera[2];
+    EXPECT_NEAR(moved.translation().z(), 2.0, 1e-4);
+    ASSERT_EQ(part.detections.size(), 1u);
+    EXPECT_EQ(part.detections[0].frame, 3);
+    EXPECT_FALSE(part.notes.empty());
+    const Sequence two = OpenSequence({.folder = c.whole, .begin_frame = 3, .end_frame = 5});
+    EXPECT_EQ(two.images[0].left, part.images[1].left);
+  }
 }
 
 TEST_F(Sequences, OpensAnOdometrySequence) {

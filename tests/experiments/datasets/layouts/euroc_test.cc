@@ -144,6 +144,21 @@ TEST_F(EurocFiles, FramesBeyondTheTruthHaveNoPose) {
               ElementsAre(HasSubstr("data.csv: no ground truth")));
 }
 
+// TUM-VI names its ground truth otherwise, and has it only where the motion capture saw the camera.
+TEST_F(EurocFiles, MotionCaptureHasGaps) {
+  fs::rename(File("state_groundtruth_estimate0"), File("mocap0"));
+  EXPECT_THAT(OpenSequence({.folder = folder_.path()}).missing, IsEmpty());
+  test::DropRow(3)(File("mocap0/data.csv"));
+  EXPECT_TRUE(OpenSequence({.folder = folder_.path()}).groundtruth_world_from_camera[1]);
+  for (const char* list : {"cam0/data.csv", "cam1/data.csv", "mocap0/data.csv"}) {
+    test::Replace("1403636580200000000,", "1403636580900000000,")(File(list));
+  }
+  const Sequence sequence = OpenSequence({.folder = folder_.path()});
+  EXPECT_FALSE(sequence.groundtruth_world_from_camera[1]);
+  EXPECT_TRUE(sequence.groundtruth_world_from_camera[2]);
+  EXPECT_THAT(sequence.missing, ElementsAre(HasSubstr("1 of 3 frames")));
+}
+
 TEST_F(EurocFiles, BadRowsAreRefusedWithFileAndRow) {
   const std::string list = "mav0/cam0/data.csv";
   const std::string truth = "mav0/state_groundtruth_estimate0/data.csv";
