@@ -225,7 +225,7 @@ TEST_F(InputFaults, ImplausibleTruth) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("warning: times, frame 3: 2.8 s after the one before"));
   EXPECT_THAT(run.out, HasSubstr("warning: ground truth of the camera, frame 1: 5"));
-  EXPECT_EQ(ReadJson(At("out/result.json"))["sequence"]["warnings"].size(), 2U);
+  EXPECT_EQ(ReadJson(At("out/result.json"))["sequence"]["warnings"].size(), 3U);
   EXPECT_THAT(Run({"info", drive.string()}).out, HasSubstr("implausible"));
   // Contradictions between images, calibration and ground truth.
   const std::string calibration = ReadFileBytes(drive / "calib.txt");

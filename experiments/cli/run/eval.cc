@@ -154,13 +154,13 @@ constexpr const char* kResult = "result.json";
 // would be taken for those of the system.
 void RefuseRunFolder(const fs::path& folder) {
   CheckPlaceOfRun(folder);
-  const fs::path result = folder / kResult;
-  if (fs::exists(result) && !ReadJson(result).contains("system")) {
-    ThrowError(result.string(), "the result of a run", "a folder without, or one of a system");
-  }
   for (const std::string& name : RunFileNames()) {
     if (name == kResult || !fs::exists(folder / name)) continue;
     ThrowError(folder.string(), name + " of a run", "a folder without");
+  }
+  const fs::path result = folder / kResult;
+  if (fs::exists(result) && !ReadJson(result).contains("system")) {
+    ThrowError(result.string(), "the result of a run", "a folder without, or one of a system");
   }
 }
 
