@@ -282,8 +282,8 @@ struct DetectorModel::Network {
   cv::dnn::Net net;
   std::vector<std::string> outputs;
   OutputLayout layout = OutputLayout::kDarknet;
-  int sure = 0;       // rows that were sure of an object
-  int classless = 0;  // of them, those without a class
+  bool any_box = false;  // so far
+  float best = 0.0F;     // of what may be objectness or the score of a class, so far
 
   bool IsDarknet() const { return files.model.extension() == ".cfg"; }
   // YOLOX was trained on values of 0 to 255 in BGR order.
@@ -309,14 +309,11 @@ struct DetectorModel::Network {
       const cv::Mat rows = IsDarknet() ? output : RowsOf(output, categories, files.model.string());
       const auto more = DecodeRows(rows, layout, size, categories, min_score);
       for (int i = 0; HasObjectness(layout) && i < rows.rows; ++i) {
-        constexpr float kSure = 0.5F;
-        constexpr float kNoClass = 0.05F;
         const float* row = rows.ptr<float>(i);
-        if (row[4] < kSure) continue;
-        ++sure;
-        if (*std::max_element(row + 5, row + rows.cols) < kNoClass) ++classless;
+        best = std::max(best, *std::max_element(row + 4, row + rows.cols));
       }
       boxes.insert(boxes.end(), more.begin(), more.end());
+      any_box = any_box || !more.empty();
     }
     return boxes;
   }
@@ -387,11 +384,13 @@ std::vector<Detection> DetectorModel::Detect(const cv::Mat& image, const Detecto
 }
 
 void DetectorModel::CheckClasses() const {
+  constexpr float kSure = 0.5F;
   const Network& network = *network_;
-  if (2 * network.classless <= network.sure || network.files.layout) return;
+  if (network.any_box || network.best < kSure || network.IsDarknet() || network.files.layout)
+    return;
   const std::size_t names = network.names.size();
   ThrowError(network.files.model.string(),
-             StrCat(network.classless, " of ", network.sure, " sure boxes without a class, as of ",
+             StrCat("no box, but scores up to ", network.best, ", as of ",
                     NameOf(OutputLayout::kYolov8), " with ", names + 1, " classes"),
              StrCat("as many names as classes (", network.files.names.string(), " has ", names,
                     "), or --layout ", NameOf(network.layout)));

@@ -101,8 +101,8 @@ class DetectorModel {
   // of the image and clipped to it.
   std::vector<Detection> Detect(const cv::Mat& image, const DetectorOptions& options);
 
-  // Throws Error if most rows so far that were sure of an object had no class: then what was taken
-  // for their objectness is the score of a class, and a name is missing.
+  // Throws Error if there was no box so far although rows had high scores: then what was taken for
+  // objectness is probably the score of a class, and a name is missing.
   void CheckClasses() const;
 
   OutputLayout layout() const;
