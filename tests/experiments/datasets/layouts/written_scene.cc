@@ -129,6 +129,14 @@ void OwnScene::Read() {
   }
 }
 
+std::string NumbersText(const std::vector<double>& numbers, const char* separator) {
+  std::string text;
+  for (const double number : numbers) {
+    text += (text.empty() ? "" : separator) + FormatDouble(number);
+  }
+  return text;
+}
+
 std::string MatrixText(const RigidTransform& pose, const char* separator) {
   const Eigen::Matrix4d matrix = pose.Matrix();
   std::vector<double> numbers;
