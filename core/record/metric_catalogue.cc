@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/record/metric_catalogue.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -119,20 +118,17 @@ constexpr std::array<MetricEntry, kMetricCount> kMetrics = {{
     Ate(kCameraAteMedian, "camera_ate_median", S::kMedianOfPositions, "camera ATE, median",
         "As camera ATE, but the median over frames."),
     Ate(kCameraAteMax, "camera_ate_max", S::kMaximumOfPositions, "camera ATE, maximum",
-        "As camera ATE, but the largest of all frames."),
+        "As camera ATE, but the largest."),
     Ate(kCameraAteLateral, "camera_ate_lateral", S::kRmsOfLateral, "camera ATE, lateral",
         "The part of camera ATE to the left or right of the true camera."),
     Ate(kCameraAteVertical, "camera_ate_vertical", S::kRmsOfVertical, "camera ATE, vertical",
         "The part of camera ATE above or below the true camera."),
     Ate(kCameraAteLongitudinal, "camera_ate_longitudinal", S::kRmsOfLongitudinal,
-        "camera ATE, longitudinal",
-        "The part of camera ATE in the direction that the true camera looks in."),
+        "camera ATE, longitudinal", "The part of camera ATE along the view."),
     Ate(kCameraAteVelocity, "camera_ate_velocity", S::kRmsOfPositions, "camera ATE, velocities",
-        "As camera ATE, but against positions that are integrated from the velocities which the "
-        "inertial unit measured beside its positions."),
+        "As camera ATE, but against positions integrated from the measured velocities."),
     Ate(kCameraTruthGap, "camera_truth_gap", S::kRmsOfPositions, "gap of the truths",
-        "Camera ATE of the positions from velocities against the positions of the inertial unit: a "
-        "difference of camera ATE below it is not decided by this truth."),
+        "ATE of positions from velocities against measured ones: less is undecided."),
     Camera(kCameraEndRotation, "camera_end_rotation", MetricUnit::kRadians, kError,
            {A::kNone, P::kFramesWithBoth, D::kNone, S::kAngleAtEnd}, "camera end rotation",
            "Error of the rotation of the camera from the first frame to the last."),
@@ -383,17 +379,6 @@ const MetricEntry* FindEntry(const std::string& name) {
   return form ? &EntryOf(form->id) : nullptr;
 }
 
-void CheckPossible(const std::string& name, double value, const std::string& where) {
-  constexpr double kLargest = 1e12;
-  const MetricEntry* entry = FindEntry(name);
-  const bool fraction = entry != nullptr && entry->kind == kFraction;
-  const double least = entry == nullptr ? -kLargest : fraction ? -1.0 : 0.0;  // ARI can be below 0
-  const double most = fraction ? 1.0 : kLargest;
-  if (value >= least && value <= most) return;
-  ThrowError(StrCat(where, ", ", name), StrCat(value),
-             StrCat("a value in [", least, ", ", most, "]"));
-}
-
 std::string MetricLabel(const std::string& name) {
   const std::optional<MetricForm> form = FindForm(name);
   if (!form) return name;
@@ -405,10 +390,8 @@ std::string MetricLabel(const std::string& name) {
 
 std::string CoverageOf(const std::string& name) {
   std::optional<MetricForm> form = FindForm(name);
-  if (!form) return "";
-  const MetricFamily family = EntryOf(form->id).family;
-  if (HasOneForm(family)) return "";
-  form->id = family == kCamera ? kCameraCoverage : kObjectCoverage;
+  if (!form || HasOneForm(EntryOf(form->id).family)) return "";
+  form->id = EntryOf(form->id).family == kCamera ? kCameraCoverage : kObjectCoverage;
   if (form->bodies == BodyGroup::kPredicted) form->bodies = BodyGroup::kMovers;
   return MetricName(*form);
 }

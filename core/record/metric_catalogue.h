@@ -164,10 +164,6 @@ std::vector<std::string> AllMetricNames();
 // Returns the entry of any form; nullptr if no form has this name.
 const MetricEntry* FindEntry(const std::string& name);
 
-// Throws Error naming `where` and the metric for a value that no run can have. For an unknown name
-// only the magnitude is checked.
-void CheckPossible(const std::string& name, double value, const std::string& where);
-
 // Returns the heading of its column, such as "object ATE" or "causal object ATE", or an unknown
 // name as it is.
 std::string MetricLabel(const std::string& name);

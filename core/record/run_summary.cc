@@ -96,6 +96,17 @@ std::string JobIdentity(const Job& job) {
                              {"seed", job.seed}}));
 }
 
+void CheckPossible(const std::string& name, double value, const std::string& where) {
+  constexpr double kLargest = 1e12;
+  const MetricEntry* entry = FindEntry(name);
+  const bool fraction = entry != nullptr && entry->kind == kFraction;
+  const double least = entry == nullptr ? -kLargest : fraction ? -1.0 : 0.0;  // ARI can be below 0
+  const double most = fraction ? 1.0 : kLargest;
+  if (value >= least && value <= most) return;
+  ThrowError(StrCat(where, ", ", name), StrCat(value),
+             StrCat("a value in [", least, ", ", most, "]"));
+}
+
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics) {
   // Skips the poses, which make up most of a result and are read elsewhere.
@@ -110,8 +121,10 @@ RunSummary ReadRun(const std::filesystem::path& result_file,
     CheckCounts({{"n", metric.n}}, StrCat(result_file.string(), ", ", metric.name));
     CheckPossible(metric.name, metric.value, result_file.string());
   }
+  const std::string gap = MetricName({MetricId::kCameraTruthGap});  // what differences are held to
   std::erase_if(run.metrics, [&](const MetricValue& metric) {
-    return std::find(metrics.begin(), metrics.end(), metric.name) == metrics.end();
+    return metric.name != gap &&
+           std::find(metrics.begin(), metrics.end(), metric.name) == metrics.end();
   });
   if (run.bodies) {
     CheckBodies(run.bodies->refined, result_file.string() + ", bodies, refined");

@@ -243,6 +243,10 @@ inline std::string SystemVariant(const std::string& system) { return "system:" +
 RunSummary ReadRun(const std::filesystem::path& result_file,
                    const std::vector<std::string>& metrics);
 
+// Throws Error naming `where` and the metric for a value that no run can have. For an unknown name
+// only the magnitude is checked.
+void CheckPossible(const std::string& name, double value, const std::string& where);
+
 // Returns nullptr if the run has no such metric.
 const MetricValue* FindMetric(const RunSummary& run, const std::string& name);
 

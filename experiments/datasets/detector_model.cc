@@ -384,11 +384,9 @@ std::vector<Detection> DetectorModel::Detect(const cv::Mat& image, const Detecto
 }
 
 void DetectorModel::CheckClasses() const {
-  constexpr float kSure = 0.5F;
   const Network& network = *network_;
-  if (network.any_box || network.best < kSure || network.IsDarknet() || network.files.layout)
-    return;
   const std::size_t names = network.names.size();
+  if (network.any_box || network.best < 0.5F || network.IsDarknet() || network.files.layout) return;
   ThrowError(network.files.model.string(),
              StrCat("no box, but scores up to ", network.best, ", as of ",
                     NameOf(OutputLayout::kYolov8), " with ", names + 1, " classes"),

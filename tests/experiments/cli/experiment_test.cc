@@ -241,7 +241,8 @@ TEST_F(CliExperiment, SweepsWithoutAFile) {
 TEST_F(CliExperiment, ATimedSuiteShowsItsTimes) {
   folder_.Write("suite.json", R"({"name": "timed", "sequences": [{"folder": "wall"}], )"
                               R"("variants": ["static"], "timed_threads": 1})");
-  const ProcessResult run = Run({"-j", "2"});
+  const ProcessResult run =
+      Experiment({"run", Path("suite.json"), "-o", out().string(), "-j", "2"});
   ASSERT_EQ(run.exit_code, 0) << run.err << run.out;
   EXPECT_THAT(run.err, HasSubstr("timed: one job at a time, because the suite measures times"));
   EXPECT_FALSE(fs::exists(Path("cache/frontend")));  // not shared between jobs

@@ -170,7 +170,6 @@ TEST_F(CliOutputs, InputsAreNeverOverwritten) {
       {"run", Path("data/wall"), "-o", Path("suite"), "--force"},
       {"experiment", "run", Path("suite.json"), "-o", Path("run")},
       {"experiment", "run", Path("other.json"), "-o", Path("suite")},
-      {"experiment", "run", Path("all.json"), "-o", Path("suite")},
       {"run", Path("data/wall"), "-o", Path("mine"), "--config", Path("mine/result.json")},
       {"eval", "trajectory", "--sequence", Path("data/wall"), "--estimate", Path("run/camera.tum"),
        "--objects", Path("run/clusters"), "-o", Path("run/clusters")},
@@ -185,8 +184,6 @@ TEST_F(CliOutputs, InputsAreNeverOverwritten) {
   fs::create_directories(Path("run/clusters"));
   std::string other = test::ReadFile(Path("suite.json"));
   folder_->Write("other.json", other.replace(other.find("small"), 5, "other"));
-  folder_->Write("all.json",
-                 R"({"name": "all", "sections": [{"title": "t", "suite": "suite.json"}]})");
   folder_->Write("mine/result.json", "{}");
   for (const Arguments& arguments : commands) ExpectRefused(arguments);
 }

@@ -179,7 +179,7 @@ TEST(CameraMetrics, HaveACompleteContract) {
   OptionalPoses truth, estimate;
   for (int i = 0; i < 150; ++i) truth.push_back(At(0, 0, i)), estimate.push_back(At(0, 0, i));
   const auto metrics = EvaluateCamera(truth, estimate, reports::TruthSource::kDevkit);
-  EXPECT_EQ(metrics.size(), 12u + 12u);
+  EXPECT_EQ(metrics.size(), 16u + 12u);
   ExpectContracts(metrics);
 }
 

@@ -252,7 +252,7 @@ TEST_F(SuitePlan, TheFolderOfASceneDependsOnItsContent) {
     json.merge_patch(changes);
     return Build(Parse(json)).preparations.at(0);
   };
-  const auto with = [](const char* path, double value) {
+  const auto with = [](const char* path, const Json& value) {
     return Json{{"grid", {{path, {value}}}}};
   };
   const Preparation one = scene(Json::object());

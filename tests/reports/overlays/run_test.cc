@@ -58,7 +58,7 @@ struct OverlayFiles {
       const bool predicted = i > 2;
       files.objects +=
           StrCat(10 + i, ",0,7,big car,", predicted ? "predicted" : "tracked", ",", 0.2 * i,
-                 ",0,2,0,0,0,1,9,0,0,,,,,,,,,,,0.1,0,0,0.5,0.4,0.3,"
+                 ",0,2,0,0,0,1,9,0,0,,,,,,,,,,,,0.1,0,0,0.5,0.4,0.3,"
                  "0.1,0,0,0,0,0,1,1,0.8,0.6,,,,,20,",
                  predicted || i == 1 ? "" : "0", ",0.9\n");
     }

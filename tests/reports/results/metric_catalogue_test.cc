@@ -16,7 +16,7 @@ TEST(MetricCatalogue, EveryFormHasAUniqueName) {
     ASSERT_TRUE(FindForm(name)) << name;
     EXPECT_EQ(MetricName(*FindForm(name)), name);
   }
-  EXPECT_EQ(names.size(), 147U);
+  EXPECT_EQ(names.size(), 159U);
   EXPECT_TRUE(names.contains("object_causal_standing_ate"));
   EXPECT_TRUE(names.contains("object_predicted_success_5cm"));
   EXPECT_FALSE(names.contains("object_predicted_coverage"));
