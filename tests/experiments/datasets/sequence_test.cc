@@ -7,7 +7,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-
 #include "tests/experiments/datasets/folders.h"
 #include "tests/support/error_message.h"
 
