@@ -19,9 +19,9 @@ jobs := $(if $(JOBS),--parallel $(JOBS))
 
 # What the two commands are about to do; times are of two idle cores.
 about_test := install missing packages, build everything (14 minutes from nothing), run the tests (10 minutes)
-about_demo := install missing packages, build the program (8 minutes from nothing), render and run one room (20 s)
-about_table := install missing packages, build the program (8 minutes from nothing), render the rooms of \
-  the test split and run the ablation on them (9 minutes)
+about_demo := install missing packages, build the program (6 minutes from nothing), render and run one room (20 s)
+about_table := install missing packages, build the program (6 minutes from nothing), render the rooms of \
+  the test split and run the ablation on them (20 minutes)
 $(foreach goal,$(filter demo test table,$(MAKECMDGOALS)),$(info make $(goal): $(about_$(goal))))
 
 help: ## list the targets
