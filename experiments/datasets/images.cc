@@ -46,13 +46,6 @@ void CheckSize(const fs::path& path, const StereoImages& images, const fs::path&
              StrCat(images.width_px, "x", images.height_px, " as in ", first.string()));
 }
 
-std::string LowerExtension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-
 }  // namespace
 
 cv::Mat DecodeGrey(std::string_view bytes) {

@@ -49,6 +49,15 @@ inline const StereoCamera kSceneCamera = {.fx = 700,
                                           .height_px = 375,
                                           .right_shift_px = 0.1};
 
+// Of worlds that give features without images.
+inline const StereoCamera kFeatureCamera = {.fx = 450.0,
+                                            .fy = 450.0,
+                                            .cx = 319.5,
+                                            .cy = 239.5,
+                                            .baseline_m = 0.3,
+                                            .width_px = 640,
+                                            .height_px = 480};
+
 inline CrfLabel MakeLabel(LabelKind kind) {
   CrfLabel label;
   label.kind = kind;

@@ -156,13 +156,7 @@ class MovingWorld {
   }
 
   std::uint64_t seed_;
-  StereoCamera camera_ = {.fx = 450.0,
-                          .fy = 450.0,
-                          .cx = 319.5,
-                          .cy = 239.5,
-                          .baseline_m = 0.3,
-                          .width_px = 640,
-                          .height_px = 480};
+  StereoCamera camera_ = kFeatureCamera;
   std::vector<MovingBody> bodies_;
   std::vector<Point> points_;
   std::vector<std::vector<Point>> on_body_;

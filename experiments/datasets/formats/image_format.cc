@@ -241,10 +241,15 @@ cv::Mat DecodeGreyPng(std::string_view bytes) {
   return image;
 }
 
-bool IsJpeg(const std::filesystem::path& path) {
+std::string LowerExtension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool IsJpeg(const std::filesystem::path& path) {
+  const std::string extension = LowerExtension(path);
   return extension == ".jpg" || extension == ".jpeg";
 }
 

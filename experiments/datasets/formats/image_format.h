@@ -21,6 +21,9 @@ namespace cvo {
 // Takes half as long as OpenCV, whose decoding took a seventh of a run.
 cv::Mat DecodeGreyPng(std::string_view bytes);
 
+// Returns the extension with its dot, in lower case.
+std::string LowerExtension(const std::filesystem::path& path);
+
 // Decides by the file extension, in any case. Data sets that come as JPEG are read as they are.
 bool IsJpeg(const std::filesystem::path& path);
 

@@ -107,10 +107,7 @@ ImageTimes TimesOfNames(const Files& files, const fs::path& folder) {
 bool IsImage(const fs::path& file) {
   constexpr std::array<const char*, 7> kEndings = {".png",  ".jpg", ".jpeg", ".pgm",
                                                    ".tiff", ".tif", ".bmp"};
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+  return std::find(kEndings.begin(), kEndings.end(), LowerExtension(file)) != kEndings.end();
 }
 
 bool IsPng(std::string_view bytes) { return bytes.starts_with("\x89PNG"); }

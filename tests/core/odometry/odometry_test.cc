@@ -24,13 +24,6 @@ class FeatureWorld {
  public:
   // Creates points around the path of a camera that drives along z.
   explicit FeatureWorld(std::uint64_t seed, int points = 3000) : rng_(seed, "feature world") {
-    camera_ = {.fx = 450.0,
-               .fy = 450.0,
-               .cx = 319.5,
-               .cy = 239.5,
-               .baseline_m = 0.3,
-               .width_px = 640,
-               .height_px = 480};
     for (int i = 0; i < points; ++i) {
       points_.emplace_back(rng_.Uniform(-8.0, 8.0), rng_.Uniform(-3.0, 3.0),
                            rng_.Uniform(3.0, 60.0));
@@ -73,7 +66,7 @@ class FeatureWorld {
 
  private:
   Rng rng_;
-  StereoCamera camera_;
+  StereoCamera camera_ = test::kFeatureCamera;
   std::vector<Eigen::Vector3d> points_;
   std::vector<Descriptor> descriptors_;
 };
