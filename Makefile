@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build program deb demo report table table-all table-kitti sweep regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
+.PHONY: help deps build program deb demo report table table-all table-kitti sweep record record-status regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -85,6 +85,25 @@ sweep: program ## one table per parameter that is swept
 	@$(call suite,sweep_windows)
 	@$(call suite,sweep_motion_prior)
 	@$(call suite,sweep_association)
+
+# What the documents quote. Test scenes are drawn here alone; `make record` goes on where it stopped.
+recorded := ablation corrections sweep_alpha sweep_eta sweep_windows sweep_motion_prior kitti_raw
+record := reports/RESULTS.md
+record: program ## DATA=<KITTI folder>: run what the documents quote; writes reports/RESULTS.md and their tables
+	$(if $(DATA),,$(error make record: give DATA=<KITTI folder>))
+	@for suite in $(recorded); do \
+	  $(release)/bin/clustervo experiment run $$suite -o results/$$suite --data "$(DATA)" $(addprefix -j ,$(JOBS)); \
+	  test $$? -le 1 || exit 1; \
+	done
+	@{ sed '/^## /,$$d' $(record); for suite in $(recorded); do \
+	  printf '## %s\n\n' $$suite; $(release)/bin/clustervo experiment table results/$$suite --format markdown; echo; \
+	done; } > $(record).new && mv $(record).new $(record)
+	@.ci/quote-record $(record) README.md core/METHOD.md
+
+record-status: program ## whether this program is the one of reports/RESULTS.md
+	@build=$$($(release)/bin/clustervo --version | sed -n 's/^build *\(.\{12\}\).*/\1/p'); \
+	awk -v build=$$build '/^## /{suite=$$2} match($$0, /build [0-9a-f]+/){r=substr($$0,RSTART+6,12); \
+	  print suite ": " (r == build ? "of this build" : "of build " r "; make regression tells whether a value has moved")}' $(record)
 
 # The page is also made where jobs failed, and says so.
 SUITE ?= ablation

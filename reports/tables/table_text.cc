@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <string_view>
 
 #include "core/base/error.h"
@@ -122,14 +123,28 @@ std::string CellMarkdown(const CellText& cell) {
   return cell.grey ? "*" + text + "*" : text;
 }
 
-std::string LineMarkdown(const TextLine& line) {
+// Of the first `keys` texts and the cells of `columns`.
+std::string LineMarkdown(const TextLine& line, std::size_t keys,
+                         const std::vector<std::size_t>& columns) {
   Cells cells;
-  for (const std::string& text : line.texts) {
-    const std::string escaped = MarkdownEscaped(text);
-    cells.push_back(line.grey && !text.empty() ? "*" + escaped + "*" : escaped);
+  for (std::size_t i = 0; i < keys; ++i) {
+    const std::string escaped = MarkdownEscaped(line.texts[i]);
+    cells.push_back(line.grey && !line.texts[i].empty() ? "*" + escaped + "*" : escaped);
   }
-  for (const CellText& cell : line.cells) cells.push_back(CellMarkdown(cell));
+  for (const std::size_t i : columns) cells.push_back(CellMarkdown(line.cells[i]));
   return "| " + Joined(cells, " | ") + " |\n";
+}
+
+std::string BlockMarkdown(const TableTexts& texts, const TextBlock& block, std::size_t keys,
+                          const std::vector<std::size_t>& columns) {
+  Cells header(texts.text_header.begin(),
+               texts.text_header.begin() + static_cast<std::ptrdiff_t>(keys));
+  for (const std::size_t i : columns) header.push_back(texts.columns[i]);
+  std::string text = StrCat("| ", Joined(header, " | ", MarkdownEscaped), " |\n|");
+  for (std::size_t i = 0; i < header.size(); ++i) text += i < keys ? "---|" : "---:|";
+  text += "\n";
+  for (const TextLine& line : block.lines) text += LineMarkdown(line, keys, columns);
+  return text + "\n";
 }
 
 // Brackets and stars in braces: LaTeX would take them for arguments of the end of the row before.
@@ -294,17 +309,22 @@ std::string TableMarkdown(const Table& table) {
   const TableTexts texts = MakeTexts(table);
   std::string text = texts.title.empty() ? "" : "**" + MarkdownEscaped(texts.title) + "**\n\n";
   if (!texts.about.empty()) text += Paragraph(texts.about) + "\n\n";
+  std::vector<std::size_t> columns(texts.columns.size());
+  std::iota(columns.begin(), columns.end(), 0U);
   for (const TextBlock& block : texts.blocks) {
     if (!block.heading.empty()) text += MarkdownEscaped(block.heading) + ":\n\n";
-    text += StrCat("| ", Joined(HeaderOf(texts), " | ", MarkdownEscaped), " |\n|");
-    for (std::size_t i = 0; i < texts.text_header.size(); ++i) text += "---|";
-    for (std::size_t i = 0; i < texts.columns.size(); ++i) text += "---:|";
-    text += "\n";
-    for (const TextLine& line : block.lines) text += LineMarkdown(line);
-    text += "\n";
+    text += BlockMarkdown(texts, block, texts.text_header.size(), columns);
   }
   for (const std::string& note : texts.footnotes) text += "- " + MarkdownEscaped(note) + "\n";
   return text;
+}
+
+std::string ShortMarkdown(const Table& table) {
+  const TableTexts texts = MakeTexts(table);
+  std::string text = BlockMarkdown(texts, texts.blocks[0], table.keys.size(), KeyColumns(table));
+  for (const std::string& note : ShortNotes(table, texts)) text += MarkdownEscaped(note) + "; ";
+  for (const std::string& build : table.provenance.builds) text += "build " + build.substr(0, 12);
+  return text + "\n";
 }
 
 std::string TableLatex(const Table& table) {

@@ -113,6 +113,9 @@ std::string TableListing(const Table& table);
 // The same as Markdown.
 std::string TableMarkdown(const Table& table);
 
+// Returns what tells most as Markdown, with intervals and the build: what documents quote.
+std::string ShortMarkdown(const Table& table);
+
 // Returns a tabular with the values, for \input into a document that uses booktabs. The footnotes
 // follow as comments.
 std::string TableLatex(const Table& table);

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <sstream>
 
+#include "core/base/error.h"
 #include "tests/house/house_rules.h"
 #include "tests/support/temp_folder.h"
 
@@ -47,7 +50,7 @@ std::vector<SourceFile> FilesThat(bool (*is_wanted)(const fs::path&), std::vecto
 
 std::vector<SourceFile> Sources() {
   return FilesThat(IsSource, {kTop / "CMakeLists.txt", kTop / "Makefile", kTop / ".ci/run",
-                              kTop / ".ci/install-packages"});
+                              kTop / ".ci/install-packages", kTop / ".ci/quote-record"});
 }
 
 std::vector<SourceFile> Documents() {
@@ -117,6 +120,26 @@ TEST(ReleaseFiles, ShareOneListOfPackagesAndOneScript) {
   EXPECT_THAT(ReadFile(kTop / ".github/workflows/ci.yml"), HasSubstr("run: .ci/run\n"));
   EXPECT_THAT(ReadFile(kTop / ".devcontainer/Dockerfile"),
               AllOf(HasSubstr("COPY packages.txt"), HasSubstr("RUN /setup/.ci/install-packages")));
+}
+
+// Empties the quotes of every document and has them filled again.
+TEST(Documents, QuoteTheRecord) {
+  const TempFolder folder;
+  const std::regex quotes(R"((\n<!-- record: \w+ -->\n)(\|[^\n]*\n)+(<!-- end of record -->\n))");
+  int quoting = 0;
+  for (const SourceFile& document : Documents()) {
+    const std::string emptied = std::regex_replace(document.content, quotes, "$1$3");
+    if (emptied == document.content) continue;
+    ++quoting;
+    const fs::path copy = folder.path() / "document";
+    std::ofstream(copy) << emptied;
+    const std::string command = StrCat((kTop / ".ci/quote-record").string(), " ",
+                                       (kTop / "reports/RESULTS.md").string(), " ", copy.string());
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(ReadFile(copy), document.content)
+        << document.path << ": make record writes its tables";
+  }
+  EXPECT_GT(quoting, 0);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ namespace cvo {
 struct TableFormat {
   std::string format = "terminal";
   std::string output;  // a file; empty: standard output
-  bool all = false;    // terminal: every column, not only those that fit on a screen
+  bool all = false;    // terminal, markdown: every column, not only those that tell most
 
   // Adds --format and --output.
   void AddTo(CLI::App& app);

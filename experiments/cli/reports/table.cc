@@ -24,7 +24,9 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string Rendered(const reports::Table& table, const TableFormat& format) {
-  if (format.format == "markdown") return reports::TableMarkdown(table);
+  if (format.format == "markdown") {
+    return format.all ? reports::TableMarkdown(table) : reports::ShortMarkdown(table);
+  }
   if (format.format == "csv") return reports::TableCsv(table);
   if (format.format == "latex") return reports::TableLatex(table);
   return format.all ? reports::TableListing(table) : reports::TableText(table);
@@ -113,7 +115,8 @@ Command AddExperimentTableCommand(CLI::App& experiment) {
                 "instead print frames per second and the time of each stage of the runs");
   app->footer(
       "Prints what fits on a screen, and writes DIR/table.json and DIR/table.md with the rest. Csv "
-      "has all\ndigits; latex is a tabular for \\input.\nExit code 1 if jobs failed or have not "
+      "has all\ndigits; markdown has the columns of the screen with intervals; latex is a tabular "
+      "for \\input.\nExit code 1 if jobs failed or have not "
       "run yet; absent sequences are "
       "listed.\nTimes are medians over the runs of a row, of stages means over frames. They are "
       "comparable only\nif every run had the machine to itself, as in a suite with timed_threads, "
