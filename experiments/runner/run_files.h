@@ -72,8 +72,8 @@ void WriteObjectTable(const RunResult& run, const TextSink& sink);
 
 // Calls `take` with the clusters in view, as rows of KITTI tracking with a score. The 2D box is
 // that of the associated detection, otherwise the projected 3D box, in the left image read. The 3D
-// box is that of objects.csv, in rectified camera 0, as last estimated. Clusters with a predicted
-// pose are included; objects.csv states which ones they are.
+// box is that of objects.csv, in rectified camera 0, as last estimated. Clusters whose pose is
+// only predicted are left out, as trackers report what they see; objects.csv has them.
 void ForEachTrackBox(const RunResult& run, const std::function<void(const ObjectBox&)>& take);
 
 // Writes these rows as tracks.kitti.

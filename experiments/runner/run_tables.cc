@@ -141,6 +141,7 @@ std::optional<ImageBox> Box2d(const LiveCluster& cluster, const StereoCamera& ca
 
 void ForEachTrackBox(const RunResult& run, const std::function<void(const ObjectBox&)>& take) {
   ForEachLiveCluster(run, [&](const LiveCluster& cluster) {
+    if (cluster.Last().status == ClusterStatus::kPredicted) return;
     const std::optional<ImageBox> box2d = Box2d(cluster, run.sequence.camera);
     if (!box2d) return;
     ObjectBox box;

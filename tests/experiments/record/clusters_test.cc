@@ -124,6 +124,12 @@ TEST_F(Clusters, ABoxThatReachesBehindTheCameraFillsTheImageOnItsSide) {
   EXPECT_EQ(box->bottom_px, 79.0);
 }
 
+TEST_F(Clusters, APredictedPoseIsNoTrack) {
+  cluster().status = ClusterStatus::kPredicted;
+  EXPECT_TRUE(KittiTracks().empty());
+  EXPECT_THAT(Cells(ObjectTable(), ','), SizeIs(2));
+}
+
 TEST_F(Clusters, AClusterOutOfViewHasNoBoxAndNoTrack) {
   for (const RigidTransform& pose : {At(0, 0, -9), At(30, 0, 9), At(0, -30, 9)}) {
     cluster().world_from_object = pose;
