@@ -362,7 +362,8 @@ Command AddRunCommand(CLI::App& program) {
   app->footer(
       "Output files: result.json, timing.json, truth.json, camera.tum, camera.kitti; for moving "
       "bodies\nobjects.csv (every cluster in every frame, with its life state), tracks.kitti "
-      "(KITTI\ntracking rows, without predicted poses) and clusters/<id>.tum.\ncamera.kitti has one "
+      "(KITTI\ntracking rows, without predicted poses) and clusters/<id>.tum.\ncamera.kitti has "
+      "one "
       "line per frame; skipped frames, listed in result.json, have their\npredicted pose. "
       "camera.tum omits skipped frames. Poses are the final estimates of\nworld_from_camera. "
       "result.json and the trajectories are byte-identical on every run.\n"
