@@ -14,15 +14,15 @@ struct Only2d : Full {
   static constexpr std::string_view kName = "2d";
   static constexpr std::string_view kChanges =
       "labels from the 2D boxes only: no 3D affinity, no motion term";
-  using AffinityTerm = NoAffinityTerm;
-  using MotionTerm = NoMotionTerm;
+  using AffinityTerm = NoTerm;
+  using MotionTerm = NoTerm;
 };
 
 struct Only2d3d : Full {
   static constexpr std::string_view kName = "2d3d";
   static constexpr std::string_view kChanges =
       "labels from 2D boxes and 3D affinity: no motion term";
-  using MotionTerm = NoMotionTerm;
+  using MotionTerm = NoTerm;
 };
 
 struct NoGpPrior : Full {

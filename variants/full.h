@@ -4,21 +4,8 @@
 
 #include <string_view>
 
-#include "core/association/box_association.h"
-#include "core/association/matching.h"
-#include "core/clustering/dense_crf.h"
-#include "core/clustering/unary_terms.h"
-#include "core/clusters/cluster_association.h"
-#include "core/clusters/cluster_map.h"
-#include "core/clusters/identity.h"
-#include "core/estimation/double_track.h"
-#include "core/estimation/motion_extrapolation.h"
 #include "core/interface/options.h"
-#include "core/labelling/cluster_labels.h"
-#include "core/labelling/landmark_update.h"
-#include "core/odometry/cluster_update.h"
-#include "core/solvers/motion_prior.h"
-#include "core/solvers/schur_solver.h"
+#include "core/odometry/axes.h"
 
 namespace cvo {
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <cstdint>
+#include <iterator>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 
 #include "core/base/error.h"
@@ -14,223 +14,109 @@
 
 namespace cvo {
 
-// Each rung adds one of our additions to a variant between Paper and Full: a policy, options
-// that get their defaults, or both.
-template <typename Base>
-struct AddBoundedBoxes : Base {
-  static constexpr std::string_view kRung = "boxes";
-  static constexpr std::string_view kAdds =
-      "bounded weights of landmarks in boxes, a share of each box for every cluster, no boxes of "
-      "another class";
-  using Boxes = BoundedBoxes;
-};
-
-template <typename Base>
-struct AddLeftImage : Base {
-  static constexpr std::string_view kRung = "left_image";
-  static constexpr std::string_view kAdds =
-      "landmarks of bodies are also found if only the left image shows them";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.association.left_only = Options().association.left_only;
-  }
-};
-
-template <typename Base>
-struct AddMissedDetections : Base {
-  static constexpr std::string_view kRung = "missed_detections";
-  static constexpr std::string_view kAdds = "a missed detection is no evidence against a cluster";
-  using BoxTerm = Box2dTerm;
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.unary.undetected_reach = Options().unary.undetected_reach;
-  }
-};
-
-template <typename Base>
-struct AddBoxSize : Base {
-  static constexpr std::string_view kRung = "box_size";
-  static constexpr std::string_view kAdds = "a cluster fills its box";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.clusters.box_half_size = Options().clusters.box_half_size;
-  }
-};
-
-template <typename Base>
-struct AddBodiesByDepth : Base {
-  static constexpr std::string_view kRung = "new_bodies";
-  static constexpr std::string_view kAdds =
-      "a new body is the nearest dense range of depths that fills its box, no part of another, "
-      "with its origin behind the surface";
-  using NewBody = BodiesByDepth;
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.extent.part_share = Options().extent.part_share;
-  }
-};
-
-template <typename Base>
-struct AddReserve : Base {
-  static constexpr std::string_view kRung = "reserve";
-  static constexpr std::string_view kAdds = "bodies get additional corners";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.orb.reserve = Options().orb.reserve;
-  }
-};
-
-template <typename Base>
-struct AddConfirmation : Base {
-  static constexpr std::string_view kRung = "confirmation";
-  static constexpr std::string_view kAdds = "a cluster is reported from its second detection on";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.clusters.confirm_detections = Options().clusters.confirm_detections;
-  }
-};
-
-template <typename Base>
-struct AddAlignedPatches : Base {
-  static constexpr std::string_view kRung = "aligned_patches";
-  static constexpr std::string_view kAdds =
-      "matched corners are aligned with the first patch of their landmark";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.tracking.align_patches = Options().tracking.align_patches;
-  }
-};
-
-template <typename Base>
-struct AddPatchNoise : Base {
-  static constexpr std::string_view kRung = "patch_noise";
-  static constexpr std::string_view kAdds =
-      "the noise of a disparity grows with the disagreement of the quarters of its patch";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.noise.disagreement = Options().noise.disagreement;
-  }
-};
-
-template <typename Base>
-struct AddSelfCalibration : Base {
-  static constexpr std::string_view kRung = "self_calibration";
-  static constexpr std::string_view kAdds =
-      "the calibration's error is estimated: that of columns with the window, as a field over the "
-      "image, that of rows from each pair of images";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.noise.right_mean_px = Options().noise.right_mean_px;
-    options.stereo.max_row_correction_px = Options().stereo.max_row_correction_px;
-  }
-};
-
-template <typename Base>
-struct AddPromotion : Base {
-  static constexpr std::string_view kRung = "promotion";
-  static constexpr std::string_view kAdds =
-      "a frame joins the spatial track if it is far from the newest one there, or turned";
-  using Frames = DoubleTrackFrames;
-};
-
-template <typename Base>
-struct AddOutlierRemoval : Base {
-  static constexpr std::string_view kRung = "outlier_removal";
-  static constexpr std::string_view kAdds =
-      "observations beyond the gate are removed after each solution";
-  using Outliers = RemoveOutliers;
-};
-
-template <typename Base>
-struct AddBodyMotion : Base {
-  static constexpr std::string_view kRung = "body_motion";
-  static constexpr std::string_view kAdds =
-      "the motion prior has 1 m^2/s^3 instead of 0.01 m^2/frame^3 and includes orientations; "
-      "predicted bodies keep turning";
-  using BodyMotion = WhiteNoiseMotion;
-};
-
-template <typename Base>
-struct AddPastInformation : Base {
-  static constexpr std::string_view kRung = "past_information";
-  static constexpr std::string_view kAdds =
-      "observations that leave the window stay in their landmarks";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.clusters.max_past_observations = Options().clusters.max_past_observations;
-  }
-};
-
-template <typename Base>
-struct AddTraceBack : Base {
-  static constexpr std::string_view kRung = "trace_back";
-  static constexpr std::string_view kAdds = "new clusters are also searched for in earlier frames";
-  static void SetDefaults(Options& options) {
-    Base::SetDefaults(options);
-    options.clusters.trace_states = Options().clusters.trace_states;
-  }
-};
-
-template <typename Base>
-struct AddIdentity : Base {
-  static constexpr std::string_view kRung = "identity";
-  static constexpr std::string_view kAdds =
-      "a cluster that is not found releases its box; a new cluster that shares landmarks with a "
-      "lost one takes over its id and its body frame";
-  using BoxRematch = RematchInBox;
-  using Identity = InheritLostIdentity;
-};
-
-// The ladder from Paper to Full, one addition at a time, in the order of the paper's sections.
-// All rungs together make Full: all.h asserts this for the axes, a test for the options.
-template <template <typename> class R>
+// One of our additions to Paper: policies (PaperWith), options that get their defaults, or both.
 struct Rung {
-  template <typename Base>
-  using On = R<Base>;
-  static constexpr std::string_view kName = R<Paper>::kRung;
-  static constexpr std::string_view kAdds = R<Paper>::kAdds;
-};
-using Rungs =
-    std::tuple<Rung<AddBoundedBoxes>, Rung<AddLeftImage>, Rung<AddMissedDetections>,
-               Rung<AddBoxSize>, Rung<AddBodiesByDepth>, Rung<AddReserve>, Rung<AddConfirmation>,
-               Rung<AddAlignedPatches>, Rung<AddPromotion>, Rung<AddPatchNoise>,
-               Rung<AddSelfCalibration>, Rung<AddOutlierRemoval>, Rung<AddBodyMotion>,
-               Rung<AddPastInformation>, Rung<AddTraceBack>, Rung<AddIdentity>>;
-inline constexpr std::size_t kRungs = std::tuple_size_v<Rungs>;
-
-namespace internal {
-
-// Paper with the first kCount rungs, except for rung kLeftOut.
-template <std::size_t kCount, std::size_t kLeftOut>
-struct PaperWith {
-  using Below = typename PaperWith<kCount - 1, kLeftOut>::Type;
-  using Type =
-      std::conditional_t<kCount - 1 == kLeftOut, Below,
-                         typename std::tuple_element_t<kCount - 1, Rungs>::template On<Below>>;
-};
-template <std::size_t kLeftOut>
-struct PaperWith<0, kLeftOut> {
-  using Type = Paper;
+  std::string_view name;
+  std::string_view adds;
+  void (*set)(Options& options, const Options& ours) = [](Options&, const Options&) {};
 };
 
-}  // namespace internal
+// The ladder from Paper to Full, in the order of the paper's sections. All rungs together make
+// Full: all.h asserts this for the axes, a test for the options.
+inline constexpr Rung kLadder[] = {
+    {"boxes",
+     "bounded weights of landmarks in boxes, a share of each box for every cluster, no boxes of "
+     "another class"},
+    {"left_image", "landmarks of bodies are also found if only the left image shows them",
+     [](Options& options, const Options& ours) {
+       options.association.left_only = ours.association.left_only;
+     }},
+    {"missed_detections", "a missed detection is no evidence against a cluster",
+     [](Options& options, const Options& ours) {
+       options.unary.undetected_reach = ours.unary.undetected_reach;
+     }},
+    {"box_size", "a cluster fills its box",
+     [](Options& options, const Options& ours) {
+       options.clusters.box_half_size = ours.clusters.box_half_size;
+     }},
+    {"new_bodies",
+     "a new body is the nearest dense range of depths that fills its box, no part of another, "
+     "with its origin behind the surface",
+     [](Options& options, const Options& ours) {
+       options.extent.part_share = ours.extent.part_share;
+     }},
+    {"reserve", "bodies get additional corners",
+     [](Options& options, const Options& ours) { options.orb.reserve = ours.orb.reserve; }},
+    {"confirmation", "a cluster is reported from its second detection on",
+     [](Options& options, const Options& ours) {
+       options.clusters.confirm_detections = ours.clusters.confirm_detections;
+     }},
+    {"aligned_patches", "matched corners are aligned with the first patch of their landmark",
+     [](Options& options, const Options& ours) {
+       options.tracking.align_patches = ours.tracking.align_patches;
+     }},
+    {"promotion",
+     "a frame joins the spatial track if it is far from the newest one there, or turned"},
+    {"patch_noise",
+     "the noise of a disparity grows with the disagreement of the quarters of its patch",
+     [](Options& options, const Options& ours) {
+       options.noise.disagreement = ours.noise.disagreement;
+     }},
+    {"self_calibration",
+     "the calibration's error is estimated: that of columns with the window, as a field over the "
+     "image, that of rows from each pair of images",
+     [](Options& options, const Options& ours) {
+       options.noise.right_mean_px = ours.noise.right_mean_px;
+       options.stereo.max_row_correction_px = ours.stereo.max_row_correction_px;
+     }},
+    {"outlier_removal", "observations beyond the gate are removed after each solution"},
+    {"body_motion",
+     "the motion prior has 1 m^2/s^3 instead of 0.01 m^2/frame^3 and includes orientations; "
+     "predicted bodies keep turning"},
+    {"past_information", "observations that leave the window stay in their landmarks",
+     [](Options& options, const Options& ours) {
+       options.clusters.max_past_observations = ours.clusters.max_past_observations;
+     }},
+    {"trace_back", "new clusters are also searched for in earlier frames",
+     [](Options& options, const Options& ours) {
+       options.clusters.trace_states = ours.clusters.trace_states;
+     }},
+    {"identity",
+     "a cluster that is not found releases its box; a new cluster that shares landmarks with a "
+     "lost one takes over its id and its body frame"}};
+inline constexpr std::size_t kRungs = std::size(kLadder);
+inline constexpr std::uint32_t kAllRungs = (1U << kRungs) - 1U;
 
-// Paper with all rungs up to and including rung kRung.
-template <std::size_t kRung>
-struct UpTo : internal::PaperWith<kRung + 1, kRungs>::Type {
-  using Added = std::tuple_element_t<kRung, Rungs>;
-  static std::string Name() { return StrCat("paper_to_", Added::kName); }
-  static std::string Changes() {
-    return StrCat("paper with the additions of the ladder up to and including: ", Added::kAdds);
+// Whether the bit of the rung is set. Does not compile for a name that is no rung.
+consteval bool HasRung(std::uint32_t rungs, std::string_view name) {
+  for (std::size_t i = 0; i < kRungs; ++i) {
+    if (kLadder[i].name == name) return (rungs >> i & 1U) != 0;
   }
-};
+  throw Error("no such rung");
+}
 
-// Full without rung kRung.
-template <std::size_t kRung>
-struct Without : internal::PaperWith<kRungs, kRung>::Type {
-  using Left = std::tuple_element_t<kRung, Rungs>;
-  static std::string Name() { return StrCat("no_", Left::kName); }
-  static std::string Changes() { return StrCat("full without this addition: ", Left::kAdds); }
+// Paper with the rungs of kLadder whose bits are set.
+template <std::uint32_t kSet>
+struct PaperWith : Paper {
+  using Boxes = std::conditional_t<HasRung(kSet, "boxes"), Full::Boxes, Paper::Boxes>;
+  using BoxTerm =
+      std::conditional_t<HasRung(kSet, "missed_detections"), Full::BoxTerm, Paper::BoxTerm>;
+  using NewBody = std::conditional_t<HasRung(kSet, "new_bodies"), Full::NewBody, Paper::NewBody>;
+  using Frames = std::conditional_t<HasRung(kSet, "promotion"), Full::Frames, Paper::Frames>;
+  using Outliers =
+      std::conditional_t<HasRung(kSet, "outlier_removal"), Full::Outliers, Paper::Outliers>;
+  using BodyMotion =
+      std::conditional_t<HasRung(kSet, "body_motion"), Full::BodyMotion, Paper::BodyMotion>;
+  using BoxRematch =
+      std::conditional_t<HasRung(kSet, "identity"), Full::BoxRematch, Paper::BoxRematch>;
+  using Identity = std::conditional_t<HasRung(kSet, "identity"), Full::Identity, Paper::Identity>;
+
+  static void SetDefaults(Options& options) {
+    Paper::SetDefaults(options);
+    for (std::size_t i = 0; i < kRungs; ++i) {
+      if ((kSet >> i & 1U) != 0) kLadder[i].set(options, Options());
+    }
+  }
 };
 
 }  // namespace cvo

@@ -54,15 +54,15 @@ struct Paper2d : Paper {
   static constexpr std::string_view kName = "paper_2d";
   static constexpr std::string_view kChanges =
       "paper; labels from the 2D boxes only: no 3D affinity, no motion term";
-  using AffinityTerm = NoAffinityTerm;
-  using MotionTerm = NoMotionTerm;
+  using AffinityTerm = NoTerm;
+  using MotionTerm = NoTerm;
 };
 
 struct Paper2d3d : Paper {
   static constexpr std::string_view kName = "paper_2d3d";
   static constexpr std::string_view kChanges =
       "paper; labels from 2D boxes and 3D affinity: no motion term";
-  using MotionTerm = NoMotionTerm;
+  using MotionTerm = NoTerm;
 };
 
 struct PaperNoMotionPrior : Paper {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,13 +25,5 @@ std::span<const VariantInfo> NamedVariantInfos();
 
 // Throws Error if there is no such variant; the message lists those of NamedVariantInfos.
 const VariantInfo& FindVariant(std::string_view name);
-
-// Number of source files, generated from instantiate.cc.in, in which variants are compiled in
-// parallel. Variant `index` of AllVariants is in file number index % kInstantiations.
-inline constexpr std::size_t kInstantiations = 2;
-
-template <std::size_t kInstantiation>
-std::unique_ptr<Odometry> Instantiate(std::size_t index, const OdometrySetup& setup,
-                                      TaskPool& pool);
 
 }  // namespace cvo

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <concepts>
-#include <optional>
+#include <algorithm>
 #include <span>
 #include <vector>
 
-#include "core/association/cluster_association_options.h"
+#include "core/association/matching.h"
 #include "core/geometry/stereo_camera.h"
 
 namespace cvo {
@@ -21,15 +20,11 @@ namespace cvo {
 // NaN or minus infinity.
 std::vector<int> Assign(const Eigen::MatrixXd& cost);
 
-// A landmark of a cluster at its observed or predicted position in the left image.
-struct BoxMember {
-  Eigen::Vector2d zeta_px = Eigen::Vector2d::Zero();
-  // Determinants of the covariances of the measurement (Sigma_z), of the predicted position of the
-  // landmark (Gamma), and of the innovation (S), px^6.
-  double measurement_determinant = 1.0;
-  double position_determinant = 1.0;
-  double innovation_determinant = 1.0;
-};
+// Enlarges the box such that it contains the pixel.
+inline void Include(double u_px, double v_px, ImageBox& box) {
+  box = {std::min(box.left_px, u_px), std::min(box.top_px, v_px), std::max(box.right_px, u_px),
+         std::max(box.bottom_px, v_px)};
+}
 
 // p_q(m) of Eq. 3 of the paper for one cluster, and the entropy of this distribution.
 struct BoxProbabilities {
@@ -38,46 +33,31 @@ struct BoxProbabilities {
   double entropy = 0.0;             // bits
 };
 
-// Defines the weight of a landmark and the normalisation of the probabilities (METHOD.md 4.5).
-template <typename Policy>
-concept BoxWeightsPolicy = requires(std::span<const BoxMember> cluster,
-                                    std::span<const ImageBox> boxes) {
-  { Policy::Compute(cluster, boxes) } -> std::same_as<BoxProbabilities>;
-};
+// Policies for the boxes of clusters (METHOD.md 4.5): the probabilities of Eq. 3 from the landmarks
+// of a cluster at their observed or predicted positions; the cost of a box with probability
+// p = p_q(m) for a cluster that has `share` of the weight of all clusters in it; and whether a
+// cluster refuses boxes of other classes, which the paper does not compare.
 
-// Policy: weights sqrt(|Sigma_z| / |S|) in (0, 1]; landmarks that are in no box count for a null
-// box.
-struct BoundedBoxWeights {
-  static BoxProbabilities Compute(std::span<const BoxMember> cluster,
+// Policy: ours, with weights sqrt(|Sigma_z| / |S|) in (0, 1]; landmarks that are in no box count
+// for a null box. p alone does not tell which of two clusters inside a box the box shows.
+struct BoundedBoxes {
+  static constexpr bool kComparesClasses = true;
+  static BoxProbabilities Compute(std::span<const PredictedLandmark> cluster,
                                   std::span<const ImageBox> boxes);
-};
-// Policy: as printed in the paper, with weights 1 / |Gamma| and no null box.
-struct BoxWeightsLiteral {
-  static BoxProbabilities Compute(std::span<const BoxMember> cluster,
-                                  std::span<const ImageBox> boxes);
-};
-
-// Cost of assigning a box to a cluster with probability p = p_q(m) for it and with `share` of the
-// weight that all clusters have in the box.
-template <typename Policy>
-concept BoxCostPolicy = requires(double p, double share) {
-  { Policy::Cost(p, share) } -> std::same_as<double>;
-};
-
-// Policy: uses both. p_q(m) alone does not tell which of two clusters inside a box the box shows.
-struct SharedBoxCost {
   static double Cost(double p, double share);
 };
-// Policy: uses p_q(m) alone (the argmax of the paper).
-struct UnsharedBoxCost {
+// Policy: the paper's, with weights 1 / |Gamma|, no null box, and the argmax of p alone.
+struct PrintedBoxWeights {
+  static constexpr bool kComparesClasses = false;
+  static BoxProbabilities Compute(std::span<const PredictedLandmark> cluster,
+                                  std::span<const ImageBox> boxes);
   static double Cost(double p, double share);
 };
-
-using BoxCostFunction = double (*)(double p, double share);
 
 // Returns the box of each cluster, or -1. The assignment is one-to-one, with as many of the pairs
 // that `options` allow as possible and, among those assignments, the least total cost.
 std::vector<int> AssociateBoxes(std::span<const BoxProbabilities> clusters, int boxes,
-                                const ClusterAssociationOptions& options, BoxCostFunction cost);
+                                const ClusterAssociationOptions& options,
+                                double (*cost)(double p, double share));
 
 }  // namespace cvo

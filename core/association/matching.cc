@@ -121,10 +121,8 @@ constexpr Match kNoMatch{-1, -1, 257};
 
 // Returns the feature with the most similar descriptor among those that is_wanted and is_inside
 // accept, or kNoMatch if it is not similar enough or not unique.
-template <typename IsWanted, typename IsInside>
-Match FindSimilar(const PredictedLandmark& landmark, const FeatureGrid& grid, double radius_px,
-                  const ClusterAssociationOptions& options, IsWanted is_wanted,
-                  IsInside is_inside) {
+Match FindSimilar(const ProjectedLandmark& landmark, const FeatureGrid& grid, double radius_px,
+                  const auto& options, auto is_wanted, auto is_inside) {
   Match best = kNoMatch;
   int second = kNoMatch.hamming;
   grid.VisitNear(landmark.zeta_px[0], landmark.zeta_px[1], radius_px, [&](int index) {
@@ -145,9 +143,7 @@ Match FindSimilar(const PredictedLandmark& landmark, const FeatureGrid& grid, do
 }
 
 // Matches the landmarks one-to-one to the features that `find` returns for them.
-template <typename Find>
-std::vector<Match> FindOneToOne(std::span<const PredictedLandmark> landmarks,
-                                const FeatureGrid& grid, Find find) {
+std::vector<Match> FindOneToOne(const auto& landmarks, const FeatureGrid& grid, auto find) {
   std::vector<Match> candidates;
   for (int i = 0; i < static_cast<int>(landmarks.size()); ++i) {
     Match match = find(landmarks[i]);
@@ -226,49 +222,15 @@ std::vector<Match> FixedRadiusAssociation::Find(std::span<const PredictedLandmar
   });
 }
 
-namespace {
-
-// The feature with the nearest descriptor around a projection, and the two smallest distances.
-struct Nearest {
-  int feature = -1;
-  int hamming = 257;
-  int second = 257;
-};
-
-Nearest FindNearest(const ProjectedLandmark& landmark, const FeatureGrid& grid, double radius_px) {
-  Nearest nearest;
-  grid.VisitNear(landmark.zeta_px[0], landmark.zeta_px[1], radius_px, [&](int index) {
-    const StereoFeature& feature = grid.features()[index];
-    if (std::abs(feature.octave - landmark.octave) > 1) return;
-    if (std::abs(feature.z_px[2] - landmark.zeta_px[2]) > radius_px) return;
-    const int hamming = HammingDistance(feature.descriptor, landmark.descriptor);
-    if (hamming < nearest.hamming) {
-      nearest.second = nearest.hamming;
-      nearest.hamming = hamming;
-      nearest.feature = index;
-    } else if (hamming < nearest.second) {
-      nearest.second = hamming;
-    }
-  });
-  return nearest;
-}
-
-}  // namespace
-
 std::vector<Match> MatchProjected(std::span<const ProjectedLandmark> landmarks,
                                   const FeatureGrid& grid, double radius_px, double scale_factor,
                                   const MatchingOptions& options) {
-  std::vector<Match> candidates;
-  candidates.reserve(landmarks.size());
-  for (int i = 0; i < static_cast<int>(landmarks.size()); ++i) {
-    const double radius = radius_px * std::pow(scale_factor, landmarks[i].octave);
-    const Nearest nearest = FindNearest(landmarks[i], grid, radius);
-    if (nearest.hamming > options.max_hamming) continue;
-    if (nearest.hamming >= options.ratio * nearest.second) continue;
-    candidates.push_back({i, nearest.feature, nearest.hamming});
-  }
-  return KeepOneToOne(std::move(candidates), static_cast<int>(landmarks.size()),
-                      static_cast<int>(grid.features().size()));
+  return FindOneToOne(landmarks, grid, [&](const ProjectedLandmark& landmark) {
+    const double radius = radius_px * std::pow(scale_factor, landmark.octave);
+    return FindSimilar(
+        landmark, grid, radius, options, [](int) { return true; },
+        [&](const Eigen::Vector3d& d) { return std::abs(d[2]) <= radius; });
+  });
 }
 
 }  // namespace cvo

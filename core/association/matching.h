@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <concepts>
 #include <span>
 #include <vector>
 
@@ -74,15 +73,20 @@ class FeatureGrid {
   std::vector<int> sorted_;      // feature indices by cell
 };
 
-// A landmark of a cluster at its position in the current frame, as predicted from the motion of the
-// cluster.
-struct PredictedLandmark {
-  Eigen::Vector3d zeta_px = Eigen::Vector3d::Zero();              // (u_left, v, u_right)
+// A landmark at its predicted position in the current frame.
+struct ProjectedLandmark {
+  Eigen::Vector3d zeta_px = Eigen::Vector3d::Zero();  // predicted (u_left, v, u_right)
+  int octave = 0;                                     // predicted pyramid level
+  Descriptor descriptor{};
+};
+
+// A landmark of a cluster, as predicted from the motion of the cluster.
+struct PredictedLandmark : ProjectedLandmark {
   Eigen::Matrix3d position_px2 = Eigen::Matrix3d::Identity();     // Gamma, of its position only
   Eigen::Matrix3d measurement_px2 = Eigen::Matrix3d::Identity();  // Sigma_z of a feature there
   Eigen::Matrix3d innovation_px2 = Eigen::Matrix3d::Identity();   // S, of feature minus prediction
-  int octave = 0;
-  Descriptor descriptor{};
+  int cluster = 0;                                                // index in the list of clusters
+  int landmark = 0;                                               // index in that cluster
 };
 
 // Matches landmarks to the left of the field of view of the right image (METHOD.md 4.7) to
@@ -93,16 +97,9 @@ void AddLeftOnlyMatches(std::span<const PredictedLandmark> landmarks, const Feat
                         const std::vector<char>& is_taken, const ClusterAssociationOptions& options,
                         std::vector<Match>& matches);
 
-// Finds features for predicted landmarks (Eq. 2 of the paper): the most similar descriptor among
-// the features within the gate; unique and one-to-one. Ignores left-only features and those with
-// is_taken.
-template <typename Policy>
-concept LandmarkAssociationPolicy = requires(std::span<const PredictedLandmark> landmarks,
-                                             const FeatureGrid& grid,
-                                             const std::vector<char>& is_taken,
-                                             const ClusterAssociationOptions& options) {
-  { Policy::Find(landmarks, grid, is_taken, options) } -> std::same_as<std::vector<Match>>;
-};
+// Policies that find features for predicted landmarks (Eq. 2 of the paper): the most similar
+// descriptor among the features within the gate; unique and one-to-one. They ignore left-only
+// features and those with is_taken.
 
 // Policy: gates the Mahalanobis distance under the innovation covariance (METHOD.md 4.2).
 struct ProbabilisticAssociation {
@@ -121,13 +118,6 @@ struct FixedRadiusAssociation {
   static std::vector<Match> Find(std::span<const PredictedLandmark> landmarks,
                                  const FeatureGrid& grid, const std::vector<char>& is_taken,
                                  const ClusterAssociationOptions& options);
-};
-
-// A landmark at its predicted position in the current frame.
-struct ProjectedLandmark {
-  Eigen::Vector3d zeta_px = Eigen::Vector3d::Zero();  // predicted (u_left, v, u_right)
-  int octave = 0;                                     // predicted pyramid level
-  Descriptor descriptor{};
 };
 
 struct MatchingOptions {

@@ -39,17 +39,18 @@ Residuals ResidualsOf(const FeatureNoise& noise, const FrameView& view, FrameId 
 
 }  // namespace
 
-double ScoreOf(const FeatureNoise& noise, const ClusterOptions& options, const FrameView* view,
-               FrameId newest, const Cluster& cluster) {
-  const Residuals residuals =
-      view == nullptr ? Residuals() : ResidualsOf(noise, *view, newest, cluster);
+double ScoreOf(const Options& options, const FrameView* view, FrameId newest,
+               const Cluster& cluster) {
+  const Residuals residuals = view == nullptr
+                                  ? Residuals()
+                                  : ResidualsOf(options.NoiseOfFeatures(), *view, newest, cluster);
   const double undetected = static_cast<double>(newest.value - cluster.last_detected.value);
   const double by_detector = 0.5 * (1.0 + cluster.score / (1.0 + std::abs(cluster.score)));
   const double by_age = cluster.detections / (cluster.detections + 1.0);
   const double by_landmarks =
-      (residuals.seen + 1.0) / (residuals.seen + 1.0 + options.min_landmarks);
-  const double by_residuals = 1.0 / (1.0 + residuals.squared / noise.options.gate);
-  return by_detector * std::pow(options.score_decay, undetected) * by_age * by_landmarks *
+      (residuals.seen + 1.0) / (residuals.seen + 1.0 + options.clusters.min_landmarks);
+  const double by_residuals = 1.0 / (1.0 + residuals.squared / options.noise.gate);
+  return by_detector * std::pow(options.clusters.score_decay, undetected) * by_age * by_landmarks *
          by_residuals;
 }
 
@@ -143,36 +144,6 @@ Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape
   return shape.axes * center;
 }
 
-namespace {
-
-bool MayBeHidden(const FrameView& view, double max_overlap, int detection) {
-  const ImageBox& box = view.shown.detections[detection].box;
-  for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
-    const ImageBox& other = view.shown.detections[m].box;
-    const double width_px =
-        std::min(box.right_px, other.right_px) - std::max(box.left_px, other.left_px);
-    const double height_px =
-        std::min(box.bottom_px, other.bottom_px) - std::max(box.top_px, other.top_px);
-    if (m == detection || width_px <= 0.0 || height_px <= 0.0) continue;
-    if (width_px * height_px > max_overlap * box.Width() * box.Height()) return true;
-  }
-  return false;
-}
-
-// Directions in which an edge of a detection's box may not be the body's own.
-struct UnseenEdges {
-  bool across = false;  // left or right
-  bool down = false;    // top or bottom
-};
-
-UnseenEdges UnseenOf(const FrameView& view, int detection) {
-  const bool is_hidden = MayBeHidden(view, kMaxOverlap, detection);
-  const CutEdges cut = CutBy(view.camera, view.shown.detections[detection].box);
-  return {is_hidden || cut.left || cut.right, is_hidden || cut.top || cut.bottom};
-}
-
-}  // namespace
-
 CutEdges CutBy(const StereoCamera& camera, const ImageBox& box) {
   const double last_u_px = camera.width_px - 1 - kBorder_px;
   const double last_v_px = camera.height_px - 1 - kBorder_px;
@@ -185,10 +156,16 @@ CutEdges CutBy(const StereoCamera& camera, const ImageBox& box) {
 }
 
 Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m) {
-  const UnseenEdges unseen = UnseenOf(view, detection);
-  return size_m * Eigen::Vector3d(unseen.across ? kUnseenDeviation : kEdgeDeviation,
-                                  unseen.down ? kUnseenDeviation : kEdgeDeviation,
-                                  kUnseenDeviation);
+  // Another body may hide any edge of the box.
+  const ImageBox& box = view.shown.detections[detection].box;
+  bool is_hidden = false;
+  for (int m = 0; m < static_cast<int>(view.shown.detections.size()); ++m) {
+    is_hidden |= m != detection && ShareInside(box, view.shown.detections[m].box) > kMaxOverlap;
+  }
+  const CutEdges cut = CutBy(view.camera, box);
+  const auto deviation = [](bool unseen) { return unseen ? kUnseenDeviation : kEdgeDeviation; };
+  return size_m * Eigen::Vector3d(deviation(is_hidden || cut.left || cut.right),
+                                  deviation(is_hidden || cut.top || cut.bottom), kUnseenDeviation);
 }
 
 Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
@@ -200,7 +177,7 @@ Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
   return R * deviations_m.cwiseAbs2().cwiseInverse().asDiagonal() * R.transpose();
 }
 
-Eigen::Vector3d CenterFromBox(const FrameView& view, double birth_depth, int detection,
+Eigen::Vector3d CenterFromBox(const FrameView& view, int detection,
                               const Eigen::Vector3d& surface_in_world) {
   const ImageBox& box = view.shown.detections[detection].box;
   const double surface_m = (view.world_from_camera.Inverse() * surface_in_world).z();
@@ -209,7 +186,7 @@ Eigen::Vector3d CenterFromBox(const FrameView& view, double birth_depth, int det
                             1.0);
   const double side_m =
       surface_m * std::min(box.Width() / view.camera.fx, box.Height() / view.camera.fy);
-  return view.world_from_camera * ((surface_m + birth_depth * side_m) * ray);
+  return view.world_from_camera * ((surface_m + view.options.clusters.birth_depth * side_m) * ray);
 }
 
 void CenterEstimate::Add(const RigidTransform& object_from_there,
@@ -226,17 +203,6 @@ Eigen::Vector3d CenterEstimate::InObject() const {
   if (boxes == 0) return Eigen::Vector3d::Zero();
   return information.llt().solve(weighted);
 }
-
-// What is known of a body's box at the time of one state of its cluster, in world.
-struct BodyTrack {
-  FrameId frame;
-  RigidTransform world_from_object;                    // at `frame`, which may have left the window
-  Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  // level
-  BoxShape shape;
-  CenterEstimate center;  // in the object frame, averaged over the views
-  Eigen::Vector3d landmark_center = Eigen::Vector3d::Zero();
-  ViewedSides viewed;
-};
 
 namespace {
 
@@ -269,10 +235,9 @@ void Follow(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
 
 void TurnToMotion(const BoxScene& scene, const Cluster& cluster, BodyTrack& track) {
   const Eigen::Vector3d at = cluster.Latest().world_from_object * cluster.center_in_object;
-  const double least_m =
-      scene.options.boxes.heading_deviations *
-      DepthDeviation(scene.view->camera, scene.options.noise.options.disparity_px,
-                     scene.world_from_camera.Inverse() * at);
+  const double least_m = scene.options.boxes.heading_deviations *
+                         DepthDeviation(scene.view->camera, scene.options.noise.disparity_px,
+                                        scene.world_from_camera.Inverse() * at);
   const auto direction = DirectionOfMotion(cluster, cluster.center_in_object, scene.down, least_m);
   if (direction) track.forward = *direction;
 }
@@ -295,12 +260,11 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
 
 // Updates the body's place, and for later frames its sides, from its view in this frame.
 void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTrack& track) {
-  const BoxSceneOptions& options = scene.options;
+  const double disparity_px = scene.options.noise.disparity_px;
   const std::optional<BoxPlace> place =
-      is_known ? PlaceBySurface(*scene.view, options.noise.options.disparity_px, scene.newest,
-                                cluster, track.shape)
-               : PlaceByPicture(*scene.view, options.noise.options.disparity_px, scene.newest,
-                                cluster, track.shape, track.landmark_center);
+      is_known ? PlaceBySurface(*scene.view, disparity_px, scene.newest, cluster, track.shape)
+               : PlaceByPicture(*scene.view, disparity_px, scene.newest, cluster, track.shape,
+                                track.landmark_center);
   if (!place) return;
   const double kept = 1.0 - 1.0 / kMaxViews;
   track.center.information *= kept;
@@ -329,9 +293,7 @@ BodyBox BoxAt(const BoxScene& scene, const Cluster& cluster, const BodyTrack& tr
 void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& reports) {
   for (std::size_t q = 0; q < scene.clusters.live.size(); ++q) {
     const Cluster& cluster = scene.clusters.live[q];
-    std::shared_ptr<BodyTrack>& kept = tracks_[cluster.id];
-    if (!kept) kept = std::make_shared<BodyTrack>();
-    BodyTrack& track = *kept;
+    BodyTrack& track = tracks_[cluster.id];
     const Eigen::Vector3d known_m = SizeOfClass(cluster.category);
     Follow(scene, cluster, track);
     const bool is_seen = scene.view != nullptr && cluster.Latest().frame == scene.newest;
@@ -341,13 +303,10 @@ void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& repo
       LookAt(scene, cluster, known_m.minCoeff() > 0.0, track);
     }
     reports[q].box = BoxAt(scene, cluster, track, reports[q].world_from_object);
-    reports[q].score =
-        ScoreOf(scene.options.noise, scene.options.clusters, scene.view, scene.newest, cluster);
+    reports[q].score = ScoreOf(scene.options, scene.view, scene.newest, cluster);
   }
-  ForgetGone(scene.clusters);
-}
-
-void BodyBoxes::ForgetGone(const ClusterMap& clusters) {
+  // Forget clusters that cannot come back.
+  const ClusterMap& clusters = scene.clusters;
   if (tracks_.size() <= 2 * (clusters.live.size() + clusters.archived.size())) return;
   std::erase_if(tracks_,
                 [&](const auto& track) { return FindCluster(clusters, track.first) == nullptr; });

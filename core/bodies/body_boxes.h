@@ -3,7 +3,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <vector>
 
 #include "core/bodies/body_place.h"
@@ -16,8 +15,8 @@ namespace cvo {
 
 // Confidence, in (0, 1), that a body is where the cluster is estimated in frame `newest`, for
 // ranking estimates (METHOD.md 10.1). `view` is null in a frame without images.
-double ScoreOf(const FeatureNoise& noise, const ClusterOptions& options, const FrameView* view,
-               FrameId newest, const Cluster& cluster);
+double ScoreOf(const Options& options, const FrameView* view, FrameId newest,
+               const Cluster& cluster);
 
 // The sides of bodies as estimated from landmarks, for classes without a known size.
 
@@ -49,12 +48,6 @@ Eigen::Vector3d SidesOfBall(const Eigen::Vector3d& size_m, const ViewedSides& vi
 Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape& shape,
                                       const Eigen::Vector3d& camera_in_world);
 
-// Options of the steps that estimate a body's centre from its box.
-struct BodyCenterOptions {
-  ExtentOptions extent;
-  double birth_depth = 0.0;  // clusters.birth_depth
-};
-
 // Edges of a box that the image border may cut: those closer to it than `kBorder_px`.
 struct CutEdges {
   bool left = false;
@@ -65,9 +58,9 @@ struct CutEdges {
 CutEdges CutBy(const StereoCamera& camera, const ImageBox& box);
 
 // Places the centre on the ray through the centre of the detection's box, behind the surface by
-// `birth_depth` times the smaller side of the box. Where in the box the surface points lie does not
-// matter: the texture may be on one side. In world.
-Eigen::Vector3d CenterFromBox(const FrameView& view, double birth_depth, int detection,
+// clusters.birth_depth times the smaller side of the box. Where in the box the surface points lie
+// does not matter: the texture may be on one side. In world.
+Eigen::Vector3d CenterFromBox(const FrameView& view, int detection,
                               const Eigen::Vector3d& surface_in_world);
 
 // Standard deviations (m) of a body's centre as estimated from its detection's box, across the line
@@ -79,17 +72,9 @@ Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double si
 Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
                                  const Eigen::Vector3d& ray, const Eigen::Vector3d& deviations_m);
 
-// Options for the boxes of bodies.
-struct BoxSceneOptions {
-  FeatureNoise noise;
-  ClusterOptions clusters;
-  ExtentOptions extent;
-  BodyBoxOptions boxes;
-};
-
 // Inputs for the boxes of a frame that the estimator has finished.
 struct BoxScene {
-  BoxSceneOptions options;
+  const Options& options;
   const ClusterMap& clusters;
   const FrameView* view = nullptr;  // with the optimised camera; null: frame without images
   FrameId newest;
@@ -112,7 +97,16 @@ struct CenterEstimate {
   Eigen::Vector3d InObject() const;
 };
 
-struct BodyTrack;
+// What is known of a body's box at the time of one state of its cluster, in world.
+struct BodyTrack {
+  FrameId frame;
+  RigidTransform world_from_object;                    // at `frame`, which may have left the window
+  Eigen::Vector3d forward = Eigen::Vector3d::UnitZ();  // level
+  BoxShape shape;
+  CenterEstimate center;  // in the object frame, averaged over the views
+  Eigen::Vector3d landmark_center = Eigen::Vector3d::Zero();
+  ViewedSides viewed;
+};
 
 // The upright boxes of bodies (METHOD.md 10.4), which the estimator reports but never uses.
 class BodyBoxes {
@@ -121,10 +115,7 @@ class BodyBoxes {
   void Describe(const BoxScene& scene, std::vector<ClusterReport>& reports);
 
  private:
-  // Removes the tracks of clusters that cannot come back.
-  void ForgetGone(const ClusterMap& clusters);
-
-  std::map<ClusterId, std::shared_ptr<BodyTrack>> tracks_;
+  std::map<ClusterId, BodyTrack> tracks_;
 };
 
 }  // namespace cvo

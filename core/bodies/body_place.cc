@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/association/box_association.h"
 #include "core/base/lists.h"
 #include "core/bodies/body_boxes.h"
 
@@ -162,10 +163,8 @@ ImageBox PictureOf(const StereoCamera& camera, const BoxShape& shape,
                                (i & 4U) != 0 ? 0.5 : -0.5);
     const Eigen::Vector3d corner = center + shape.axes * shape.size_m.cwiseProduct(sign);
     const double depth_m = std::max(corner.z(), kNear_m);
-    const double u_px = camera.fx * corner.x() / depth_m + camera.cx;
-    const double v_px = camera.fy * corner.y() / depth_m + camera.cy;
-    picture = {std::min(picture.left_px, u_px), std::min(picture.top_px, v_px),
-               std::max(picture.right_px, u_px), std::max(picture.bottom_px, v_px)};
+    Include(camera.fx * corner.x() / depth_m + camera.cx,
+            camera.fy * corner.y() / depth_m + camera.cy, picture);
   }
   return picture;
 }

@@ -3,11 +3,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <concepts>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "core/association/box_association.h"
 #include "core/base/ids.h"
 #include "core/clustering/crf_lanes.h"
 #include "core/clustering/crf_options.h"
@@ -43,21 +42,26 @@ enum class LabelKind { kStatic, kCluster, kNewBox, kOutlier };
 
 struct CrfLabel {
   LabelKind kind = LabelKind::kStatic;
-  std::optional<ImageBox> box;  // of the associated detection, or of the new box itself
+  ClusterId cluster = {};            // of kStatic and kCluster
+  int detection = -1;                // the associated one, or that of the new box; -1: none
+  BodyId given_body = {};            // see GivenKnowledge; invalid: unknown
+  std::optional<ImageBox> box = {};  // of the detection
   // Where the cluster is expected in the image, if no detection is associated with it.
-  std::optional<ImageBox> predicted_box;
+  std::optional<ImageBox> predicted_box = {};
   // Centre and size of a cluster or new box: half sides along the columns of camera_from_axes.
   struct Extent {
     Eigen::Vector3d center_in_camera = Eigen::Vector3d::Zero();
     Eigen::Matrix3d camera_from_axes = Eigen::Matrix3d::Identity();
     Eigen::Vector3d half_size_m = Eigen::Vector3d::Ones();
   };
-  std::optional<Extent> extent;
+  std::optional<Extent> extent = {};
   // Maps points of this body from the current camera frame to that of the past frame t':
   // T_{t'}^{cq} (P_t^q)^-1 P_t^c of the paper. Empty if the body had no pose then.
-  std::optional<RigidTransform> past_from_now;
+  std::optional<RigidTransform> past_from_now = {};
 };
 
+// The nodes and the M = N1 + N2 + 1 classes of the CRF in one frame: in this order, the static
+// scene and the live clusters, the detections that belong to none of them, and the outlier class.
 struct CrfScene {
   StereoCamera camera;
   std::vector<CrfNode> nodes;
@@ -72,13 +76,9 @@ struct LabelState {
 
 enum class LabelOutcome { kKept, kChanged, kRemove };
 
-// How a landmark seen in the current frame adopts the cluster inferred for it, after labels were
-// matched with clusters; an invalid id is the outlier class. An outlier label lowers the confidence
-// but is never adopted: instead, kRemove is returned and the state stays as it was.
-template <typename Policy>
-concept ConfidencePolicy = requires(ClusterId inferred, LabelState& state) {
-  { Policy::Update(inferred, state) } -> std::same_as<LabelOutcome>;
-};
+// Policies for how a landmark seen in the current frame adopts the cluster inferred for it, after
+// labels were matched with clusters; an invalid id is the outlier class. An outlier label lowers
+// the confidence but is never adopted: instead, kRemove is returned and the state stays as it was.
 
 // Policy: w + 1 for the same label, w - 1 for another one, which is adopted with w = 1 when w
 // reaches 0.
@@ -116,8 +116,8 @@ struct CrfResult {
   int sweeps = 0;  // performed
 };
 
-// A kernel policy defines bandwidth and normalisation: k_ij = s_i s_j g_ij for i != j, where
-// g_ij = exp(-d_ij^2 / (2 BandwidthM^2)) and s_i = Scale(sum_{j != i} g_ij).
+// Kernel policies of Eq. 9 define bandwidth and normalisation: k_ij = s_i s_j g_ij for i != j,
+// where g_ij = exp(-d_ij^2 / (2 BandwidthM^2)) and s_i = Scale(sum_{j != i} g_ij).
 
 // Policy: D^-1/2 K D^-1/2. D includes the node itself, so that the only neighbour of a remote node
 // does not get full weight however weak it is; a node receives no message from itself. Rows sum to
@@ -137,36 +137,33 @@ struct RawGaussianKernel {
 // Policy: no pairwise term.
 struct NoPairwise {};
 
-template <typename Policy>
-concept PairwisePolicy = std::same_as<Policy, NoPairwise> ||
-    requires(const PairwiseOptions& options, double degree) {
-  { Policy::BandwidthM(options) } -> std::same_as<double>;
-  { Policy::Scale(degree) } -> std::same_as<double>;
-};
-
 // Mean-field inference for E(q) = sum_i U_i(q_i) + alpha sum_{i<j} k_ij [q_i != q_j] (Eq. 4 of the
 // paper): Q_i(l) ~ exp(-U_i(l) + alpha sum_j k_ij Q_j(l)), for all nodes at once, starting
 // from softmax(-U). `energies` is N x M in nats, `points` is 3 x N in m; throws Error if the two N
 // differ, a value is not finite, or there are nodes but no labels. k_ij = 0 beyond 6 bandwidths,
 // where it is below the rounding of float. With the default options, Q is within 1e-5 of the result
 // in double precision without this cutoff (raw kernel: 1e-3). Needs at most 2 N^2 + 40 N M bytes;
-// `memory` is reused from call to call.
-template <PairwisePolicy Kernel>
+// `memory` is reused from call to call; `loops` are
+// FastCrfLoops, except in tests.
+template <typename Kernel>
 CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                        const PairwiseOptions& options, CrfMemory& memory);
-template <PairwisePolicy Kernel>
-CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                        const PairwiseOptions& options) {
-  CrfMemory memory;
-  return InferDenseCrf<Kernel>(energies, points, options, memory);
-}
-
-// The same without AVX2, as the reference in tests of the fast path.
-template <PairwisePolicy Kernel>
-CrfResult InferDenseCrfPlain(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                             const PairwiseOptions& options);
+                        const PairwiseOptions& options, CrfMemory& memory, const CrfLoops& loops);
 
 // Returns the most likely label of each node, the first one in case of a tie.
 std::vector<int> MostLikelyLabels(const CrfMatrix& q);
+
+// Result of the CRF for landmarks that existed before this frame. Both spans have one entry per
+// node.
+struct LabeledNodes {
+  std::span<const int> label;
+  std::span<const ClusterId> previous;  // invalid for a landmark without a cluster
+};
+
+// Returns for each label the cluster that it continues (section 3.2 of the paper, Kuhn-Munkres over
+// intersection over union). All labels of clusters and new boxes compete for all clusters; the
+// label of a cluster that matches none keeps its cluster if no other label took it. The id is
+// invalid for the outlier class and for labels that start a new cluster.
+std::vector<ClusterId> MatchLabels(std::span<const CrfLabel> labels, const LabeledNodes& nodes,
+                                   const LabelMatchingOptions& options);
 
 }  // namespace cvo

@@ -1,25 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/clustering/label_matching.h"
-
 #include <algorithm>
 
 #include "core/association/box_association.h"
+#include "core/clustering/dense_crf.h"
 
 namespace cvo {
 namespace {
 
-void CheckInput(std::span<const LabelIdentity> labels, const LabeledNodes& nodes) {
-  Require(nodes.label.size() == nodes.previous.size(),
-          "Match: needs a label and a previous cluster for each node");
-  for (const int label : nodes.label) {
-    if (label < 0 || label >= static_cast<int>(labels.size())) {
-      ThrowError("Match", StrCat("label ", label), StrCat("one of ", labels.size()));
-    }
-  }
-}
-
-std::vector<int> LabelsOfBodies(std::span<const LabelIdentity> labels) {
+std::vector<int> LabelsOfBodies(std::span<const CrfLabel> labels) {
   std::vector<int> chosen;
   for (int label = 0; label < static_cast<int>(labels.size()); ++label) {
     const LabelKind kind = labels[label].kind;
@@ -71,20 +60,15 @@ void MatchByOverlap(std::span<const int> chosen, std::span<const ClusterId> clus
   }
 }
 
-bool Contains(std::span<const ClusterId> ids, ClusterId id) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
-}
-
 }  // namespace
 
-std::vector<ClusterId> MatchLabels(std::span<const LabelIdentity> labels, const LabeledNodes& nodes,
+std::vector<ClusterId> MatchLabels(std::span<const CrfLabel> labels, const LabeledNodes& nodes,
                                    const LabelMatchingOptions& options) {
-  CheckInput(labels, nodes);
   std::vector<ClusterId> matched(labels.size());
   MatchByOverlap(LabelsOfBodies(labels), PreviousClusters(nodes.previous), nodes, options, matched);
   const std::vector<ClusterId> taken = matched;
   for (std::size_t label = 0; label < labels.size(); ++label) {
-    if (!matched[label].valid() && !Contains(taken, labels[label].cluster)) {
+    if (!matched[label].valid() && std::ranges::count(taken, labels[label].cluster) == 0) {
       matched[label] = labels[label].cluster;
     }
   }

@@ -21,15 +21,9 @@ struct Range {
   bool Contains(double value) const { return value >= low && value <= high; }
 };
 
-// NaN, which lies in no range, if the depth is not positive and finite.
-double LogDepth(double depth_m) {
-  return depth_m > 0.0 && std::isfinite(depth_m) ? std::log(depth_m) : std::nan("");
-}
-
 Range RangeOf(const std::vector<double>& log_depths) {
   Range range;
   for (const double log_depth : log_depths) {
-    if (std::isnan(log_depth)) continue;
     range.low = std::min(range.low, log_depth);
     range.high = std::max(range.high, log_depth);
   }
@@ -61,7 +55,6 @@ DepthDensity MakeDensity(const std::vector<double>& log_depths, double width) {
   const double bins = (range.high + width - density.first) / density.step;
   density.values.assign(static_cast<std::size_t>(bins) + 2, 0.0);
   for (const double log_depth : log_depths) {
-    if (std::isnan(log_depth)) continue;
     auto bin = static_cast<std::size_t>((log_depth - width - density.first) / density.step);
     for (; density.At(bin) < log_depth + width && bin < density.values.size(); ++bin) {
       density.values[bin] += std::max(0.0, 1.0 - std::abs(density.At(bin) - log_depth) / width);
@@ -107,9 +100,9 @@ std::vector<int> IndicesIn(const Range& range, const std::vector<double>& log_de
 
 std::vector<std::vector<int>> DepthModes(const std::vector<double>& depths_m, double angular_size,
                                          const ExtentOptions& options) {
-  std::vector<double> log_depths(depths_m.size());
-  std::transform(depths_m.begin(), depths_m.end(), log_depths.begin(), LogDepth);
-  const double count = CountIn(RangeOf(log_depths), log_depths);
+  std::vector<double> log_depths;
+  for (const double depth_m : depths_m) log_depths.push_back(std::log(depth_m));
+  const double count = static_cast<double>(depths_m.size());
   const double needed =
       std::max(static_cast<double>(options.kModeMinPoints), options.kModeMinShare * count);
   if (count < needed) return {};

@@ -80,7 +80,7 @@ RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points, const ExtentOptions
 
 // Finds the dense ranges of depths among the points in a box. Returns the points of each range as
 // ascending indices into depths_m, the nearest range first. `angular_size` is the larger side of
-// the box over the focal length. Depths that are not positive and finite are ignored.
+// the box over the focal length. Depths are positive.
 std::vector<std::vector<int>> DepthModes(const std::vector<double>& depths_m, double angular_size,
                                          const ExtentOptions& options);
 

@@ -17,123 +17,82 @@ constexpr double kNeutralMotion = 1.5;
 // Motion term of the outlier class: half of 9 (METHOD.md 5.5).
 constexpr double kOutlierMotion = 4.5;
 
-double EnergyWithoutExtent(LabelKind kind, const UnaryOptions& options) {
-  return kind == LabelKind::kOutlier ? options.outlier_energy : options.static_energy;
-}
-
-// kappa^2 R diag(l^2) R^T.
-Eigen::Matrix3d SpreadOf(const CrfLabel::Extent& extent, double kappa) {
-  const Eigen::Matrix3d scaled =
-      extent.camera_from_axes * (kappa * extent.half_size_m).asDiagonal();
-  return scaled * scaled.transpose();
+// Writes energy(node, label) for the labels with an extent, and the energies of the other classes.
+void ExtentEnergies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies,
+                    const auto& energy_of) {
+  for (std::size_t l = 0; l < scene.labels.size(); ++l) {
+    const CrfLabel& label = scene.labels[l];
+    auto column = energies.col(static_cast<Eigen::Index>(l));
+    if (!label.extent) {
+      column.setConstant(label.kind == LabelKind::kOutlier ? options.outlier_energy
+                                                           : options.static_energy);
+      continue;
+    }
+    const auto energy = energy_of(label);
+    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
+      column[static_cast<Eigen::Index>(i)] = energy(scene.nodes[i]);
+    }
+  }
 }
 
 }  // namespace
 
 void AffinityTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                             EnergyMatrix& energies) {
-  for (std::size_t l = 0; l < scene.labels.size(); ++l) {
-    auto column = energies.col(static_cast<Eigen::Index>(l));
-    const auto& extent = scene.labels[l].extent;
-    if (!extent) {
-      column.setConstant(EnergyWithoutExtent(scene.labels[l].kind, options));
-      continue;
-    }
-    const Eigen::Matrix3d spread = SpreadOf(*extent, options.kappa);
-    const double free_reach = scene.labels[l].box ? 0.0 : options.undetected_reach;
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-      const CrfNode& node = scene.nodes[i];
+  ExtentEnergies(scene, options, energies, [&](const CrfLabel& label) {
+    const CrfLabel::Extent& extent = *label.extent;
+    const Eigen::Matrix3d scaled =
+        extent.camera_from_axes * (options.kappa * extent.half_size_m).asDiagonal();
+    const Eigen::Matrix3d spread = scaled * scaled.transpose();  // kappa^2 R diag(l^2) R^T
+    const double free_reach = label.box ? 0.0 : options.undetected_reach;
+    return [&extent, spread, free_reach](const CrfNode& node) {
       const double distance_squared = MahalanobisSquared(
-          node.covariance_m2 + spread, node.p_in_camera - extent->center_in_camera);
-      column[static_cast<Eigen::Index>(i)] =
-          0.5 * std::max(0.0, distance_squared - free_reach * free_reach);
-    }
-  }
+          node.covariance_m2 + spread, node.p_in_camera - extent.center_in_camera);
+      return 0.5 * std::max(0.0, distance_squared - free_reach * free_reach);
+    };
+  });
 }
 
 void AffinityTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& options,
                                    EnergyMatrix& energies) {
-  for (std::size_t l = 0; l < scene.labels.size(); ++l) {
-    auto column = energies.col(static_cast<Eigen::Index>(l));
-    const auto& extent = scene.labels[l].extent;
-    if (!extent) {
-      column.setConstant(EnergyWithoutExtent(scene.labels[l].kind, options));
-      continue;
-    }
-    const double size_m = extent->half_size_m.mean();
-    for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-      const CrfNode& node = scene.nodes[i];
-      column[static_cast<Eigen::Index>(i)] =
-          MahalanobisSquared(node.covariance_m2, node.p_in_camera - extent->center_in_camera) /
-          (size_m * size_m);
-    }
-  }
+  ExtentEnergies(scene, options, energies, [](const CrfLabel& label) {
+    const CrfLabel::Extent& extent = *label.extent;
+    const double size_m = extent.half_size_m.mean();
+    return [&extent, size_m](const CrfNode& node) {
+      return MahalanobisSquared(node.covariance_m2, node.p_in_camera - extent.center_in_camera) /
+             (size_m * size_m);
+    };
+  });
 }
 
 namespace {
 
-using Boxes = std::vector<std::optional<ImageBox>>;
+// Which labels C holds for a landmark in no detection.
+enum class Undetected { kNone, kStatic, kStaticAndPredicted };
 
-Boxes BoxesOf(const CrfScene& scene, std::optional<ImageBox> CrfLabel::*box) {
-  Boxes boxes;
-  boxes.reserve(scene.labels.size());
-  for (const CrfLabel& label : scene.labels) boxes.push_back(label.*box);
-  return boxes;
-}
-
-// The set C of one landmark.
-class Candidates {
- public:
-  explicit Candidates(std::size_t labels) : holds_(labels, false) {}
-
-  void Clear() {
-    holds_.assign(holds_.size(), false);
-    count_ = 0;
-  }
-  void Add(std::size_t label) {
-    holds_[label] = true;
-    ++count_;
-  }
-  void AddContaining(const Boxes& boxes, const Eigen::Vector3d& z_px) {
-    for (std::size_t l = 0; l < boxes.size(); ++l) {
-      if (boxes[l] && boxes[l]->Contains(z_px[0], z_px[1])) Add(l);
-    }
-  }
-  void AddStatic(const CrfScene& scene) {
-    for (std::size_t l = 0; l < scene.labels.size(); ++l) {
-      if (scene.labels[l].kind == LabelKind::kStatic) Add(l);
-    }
-  }
-  bool Empty() const { return count_ == 0; }
-
-  void Write(double eta, Eigen::Index node, EnergyMatrix& energies) const {
-    const double others = static_cast<double>(holds_.size()) - count_;
-    const double in = -std::log(eta / count_);
-    const double out = -std::log((1.0 - eta) / others);
-    for (std::size_t l = 0; l < holds_.size(); ++l) {
-      energies(node, static_cast<Eigen::Index>(l)) = holds_[l] ? in : out;
-    }
-  }
-
- private:
-  std::vector<bool> holds_;
-  double count_ = 0.0;
-};
-
-// `predicted` holds the boxes to be used where there is no detection.
-void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, const Boxes& predicted,
+void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, Undetected undetected,
                  EnergyMatrix& energies) {
-  const Boxes detected = BoxesOf(scene, &CrfLabel::box);
-  Candidates candidates(scene.labels.size());
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Eigen::Vector3d& z_px = scene.nodes[i].z_px;
-    candidates.Clear();
-    candidates.AddContaining(detected, z_px);
-    if (candidates.Empty()) {
-      candidates.AddContaining(predicted, z_px);
-      candidates.AddStatic(scene);
+    const auto contains = [&](const std::optional<ImageBox>& box) {
+      return box && box->Contains(z_px[0], z_px[1]);
+    };
+    const bool is_detected = std::ranges::any_of(scene.labels, contains, &CrfLabel::box);
+    const auto is_candidate = [&](const CrfLabel& label) {
+      if (is_detected) return contains(label.box);
+      if (undetected == Undetected::kNone) return false;
+      return label.kind == LabelKind::kStatic ||
+             (undetected == Undetected::kStaticAndPredicted && contains(label.predicted_box));
+    };
+    const double count =
+        static_cast<double>(std::ranges::count_if(scene.labels, is_candidate));  // |C|
+    const double others = static_cast<double>(scene.labels.size()) - count;
+    const double in = -std::log(options.eta / count);
+    const double out = -std::log((1.0 - options.eta) / others);
+    for (std::size_t l = 0; l < scene.labels.size(); ++l) {
+      energies(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(l)) =
+          is_candidate(scene.labels[l]) ? in : out;
     }
-    candidates.Write(options.eta, static_cast<Eigen::Index>(i), energies);
   }
 }
 
@@ -141,27 +100,17 @@ void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, const Boxes
 
 void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                          EnergyMatrix& energies) {
-  BoxEnergies(scene, options, BoxesOf(scene, &CrfLabel::predicted_box), energies);
+  BoxEnergies(scene, options, Undetected::kStaticAndPredicted, energies);
 }
 
 void DetectedBox2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                                  EnergyMatrix& energies) {
-  BoxEnergies(scene, options, {}, energies);
+  BoxEnergies(scene, options, Undetected::kStatic, energies);
 }
 
 void Box2dTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& options,
                                 EnergyMatrix& energies) {
-  const Boxes detected = BoxesOf(scene, &CrfLabel::box);
-  Candidates candidates(scene.labels.size());
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    candidates.Clear();
-    candidates.AddContaining(detected, scene.nodes[i].z_px);
-    if (candidates.Empty()) {
-      energies.row(static_cast<Eigen::Index>(i)).setZero();
-    } else {
-      candidates.Write(options.eta, static_cast<Eigen::Index>(i), energies);
-    }
-  }
+  BoxEnergies(scene, options, Undetected::kNone, energies);
 }
 
 namespace {

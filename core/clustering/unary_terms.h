@@ -10,16 +10,10 @@
 
 namespace cvo {
 
-// Nodes (rows) by labels (columns), nats.
-using EnergyMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using EnergyMatrix = CrfMatrix;  // nats
 
 // A unary term is a policy that writes -log p(label) for every node, up to a constant per node and
 // not capped (infinity: impossible). `energies` already has the size nodes by labels.
-template <typename T>
-concept UnaryTerm = requires(const CrfScene& scene, const UnaryOptions& options,
-                             EnergyMatrix& energies) {
-  T::Energies(scene, options, energies);
-};
 
 // Normalises each row to -log of probabilities that sum to 1, then caps it at max_energy
 // (METHOD.md 5.2). A row that prefers no label becomes zero, even if all labels are impossible.
@@ -39,7 +33,7 @@ struct UnaryEnergies {
   EnergyMatrix motion;
 };
 
-template <UnaryTerm Term>
+template <typename Term>
 EnergyMatrix TermEnergies(const CrfScene& scene, const UnaryOptions& options) {
   EnergyMatrix energies(static_cast<Eigen::Index>(scene.nodes.size()),
                         static_cast<Eigen::Index>(scene.labels.size()));
@@ -49,7 +43,7 @@ EnergyMatrix TermEnergies(const CrfScene& scene, const UnaryOptions& options) {
 }
 
 // psi_u (Eq. 5 of the paper) as an energy: the sum of -log p_2D, -log p_3D and -log p_mot.
-template <UnaryTerm Box, UnaryTerm Affinity, UnaryTerm Motion>
+template <typename Box, typename Affinity, typename Motion>
 UnaryEnergies ComputeUnaries(const CrfScene& scene, const UnaryOptions& options) {
   UnaryEnergies unaries;
   unaries.box = TermEnergies<Box>(scene, options);
@@ -59,8 +53,9 @@ UnaryEnergies ComputeUnaries(const CrfScene& scene, const UnaryOptions& options)
   return unaries;
 }
 
-// A term that prefers no label.
-struct SilentTerm {
+// A term that prefers no label: labels do not depend on the distance from the centres of bodies, or
+// on their motion.
+struct NoTerm {
   static void Energies(const CrfScene&, const UnaryOptions&, EnergyMatrix& energies) {
     energies.setZero();
   }
@@ -80,9 +75,6 @@ struct AffinityTerm {
 struct AffinityTermLiteral {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
-
-// No term: labels do not depend on the distance from the centres of bodies.
-struct NoAffinityTerm : SilentTerm {};
 
 // p_2D (Eq. 6): eta / |C| for the labels in C, (1 - eta) / (M - |C|) for the
 // others. C consists of the labels whose detection contains the landmark. If none does, C consists
@@ -112,8 +104,5 @@ struct Box2dTermLiteral {
 struct MotionTerm {
   static void Energies(const CrfScene& scene, const UnaryOptions& options, EnergyMatrix& energies);
 };
-
-// No term: labels do not depend on the motion of bodies.
-struct NoMotionTerm : SilentTerm {};
 
 }  // namespace cvo

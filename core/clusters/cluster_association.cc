@@ -4,15 +4,7 @@
 
 #include <algorithm>
 
-#include "core/association/matching.h"
-#include "core/clusters/cluster_prediction.h"
-
 namespace cvo {
-
-// Number of states below which a pose is estimated by RANSAC instead of from the prediction:
-// without a velocity, the first matches may all be wrong (two states give a velocity, the third
-// checks it).
-constexpr int kSettledStates = 3;
 
 void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from_object,
                    const std::vector<Landmark>& landmarks, const std::vector<Match>& matches,
@@ -25,111 +17,111 @@ void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from
   }
 }
 
-}  // namespace cvo
-
-namespace cvo::internal {
-void PredictLandmarksOf(const ClusterSearch& search, const Cluster& cluster, int q,
-                        const PredictedCluster& at, PredictedLandmarks& landmarks) {
+void PredictLandmarksOf(const FrameView& view, const Cluster& cluster, int q,
+                        const PredictedCluster& at, std::vector<PredictedLandmark>& landmarks) {
   for (int i = 0; i < static_cast<int>(cluster.landmarks.size()); ++i) {
-    const auto predicted = PredictLandmark(search, at, cluster.landmarks[i]);
+    const auto predicted = PredictLandmark(view, at, cluster.landmarks[i]);
     if (!predicted) continue;
-    landmarks.predicted.push_back(*predicted);
-    landmarks.source.push_back({q, i});
+    landmarks.push_back(*predicted);
+    landmarks.back().cluster = q;
+    landmarks.back().landmark = i;
   }
 }
 
-PredictedLandmarks PredictLandmarks(const ClusterSearch& search, const ClusterMap& map,
-                                    const std::vector<ClusterTrack>& tracks) {
-  PredictedLandmarks landmarks;
-  for (int q = 0; q < static_cast<int>(map.live.size()); ++q) {
-    PredictLandmarksOf(search, map.live[q], q, tracks[q].predicted, landmarks);
-  }
-  return landmarks;
+std::vector<Match> FindLandmarks(const FrameView& view, LandmarkSearch& find,
+                                 std::span<const PredictedLandmark> landmarks,
+                                 const TakenFeatures& taken) {
+  const ClusterAssociationOptions& options = view.options.association;
+  std::vector<Match> matches = find(landmarks, view.grid, taken, options);
+  if (options.left_only) AddLeftOnlyMatches(landmarks, view.grid, taken, options, matches);
+  return matches;
 }
 
-void TrackClusters(const ClusterSearch& search, const ClusterMap& map,
-                   const std::vector<PredictedLandmarks::Source>& source,
+namespace {
+
+// Number of states below which a pose is estimated by RANSAC instead of from the prediction:
+// without a velocity, the first matches may all be wrong (two states give a velocity, the third
+// checks it).
+constexpr int kSettledStates = 3;
+
+// Splits the matches by cluster, drops those that contradict given labels, estimates each
+// provisional pose, keeps its inliers and marks their features as taken.
+void TrackClusters(const FrameView& view, const ClusterMap& map,
+                   const std::vector<PredictedLandmark>& landmarks,
                    const std::vector<Match>& matches, Rng& rng, TakenFeatures& taken,
                    std::vector<ClusterTrack>& tracks) {
   std::vector<std::vector<Match>> by_cluster(tracks.size());
   for (const Match& match : matches) {
-    const PredictedLandmarks::Source& from = source[match.landmark];
-    if (!IsAllowed(search, map.live[from.cluster], match.feature)) continue;
+    const PredictedLandmark& from = landmarks[match.landmark];
+    if (!IsAllowed(view, map.live[from.cluster], match.feature)) continue;
     by_cluster[from.cluster].push_back({from.landmark, match.feature, match.hamming});
   }
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     const bool is_settled = static_cast<int>(map.live[q].states.size()) >= kSettledStates;
-    const auto solution = SolvePose(search, map.live[q], tracks[q].world_from_object, by_cluster[q],
-                                    search.options.clusters.min_tracked, is_settled, rng);
-    if (solution) AcceptPose(search, by_cluster[q], *solution, taken, tracks[q]);
+    const auto solution = SolvePose(view, map.live[q], tracks[q].world_from_object, by_cluster[q],
+                                    view.options.clusters.min_tracked, is_settled, rng);
+    if (solution) AcceptPose(view, by_cluster[q], *solution, taken, tracks[q]);
   }
 }
 
-std::vector<BoxMember> MembersOf(const ClusterSearch& search, const Cluster& cluster,
-                                 const ClusterTrack& track) {
+// Returns the matched landmarks of a tracked cluster; of any other cluster, those predicted to be
+// visible.
+std::vector<PredictedLandmark> MembersOf(const FrameView& view, const Cluster& cluster,
+                                         const ClusterTrack& track) {
   std::vector<char> is_seen(cluster.landmarks.size(), !track.is_tracked);
   for (const Match& match : track.matches) is_seen[match.landmark] = 1;
   PredictedCluster at = track.predicted;
   at.world_from_object = track.world_from_object;
-  std::vector<BoxMember> members;
+  std::vector<PredictedLandmark> members;
   for (std::size_t i = 0; i < cluster.landmarks.size(); ++i) {
     if (!is_seen[i]) continue;
-    const auto predicted = PredictLandmark(search, at, cluster.landmarks[i]);
-    if (!predicted) continue;
-    members.push_back({predicted->zeta_px.head<2>(), predicted->measurement_px2.determinant(),
-                       predicted->position_px2.determinant(),
-                       predicted->innovation_px2.determinant()});
+    const auto predicted = PredictLandmark(view, at, cluster.landmarks[i]);
+    if (predicted) members.push_back(*predicted);
   }
   return members;
 }
 
-void ForgetOtherCategories(const FrameView& view, const Cluster& cluster,
-                           BoxProbabilities& probabilities) {
-  for (std::size_t m = 0; m < view.shown.detections.size(); ++m) {
-    if (view.shown.detections[m].category != cluster.category) probabilities.probability[m] = 0.0;
-  }
-}
-
-std::vector<ImageBox> BoxesOf(std::span<const Detection> detections) {
+// Assigns detections to the clusters (Eq. 3); given ones as they are given.
+void ChooseBoxes(const FrameView& view, const AssociationSteps& steps, const ClusterMap& map,
+                 std::vector<ClusterTrack>& tracks) {
+  const std::span<const Detection> detections = view.shown.detections;
+  const std::span<const BodyId> given = view.shown.detection_body;
+  const int count = static_cast<int>(detections.size());
   std::vector<ImageBox> boxes;
   for (const Detection& detection : detections) boxes.push_back(detection.box);
-  return boxes;
-}
-
-void AssociateGivenDetections(const FrameView& view, const ClusterMap& map,
-                              std::vector<ClusterTrack>& tracks) {
-  const std::span<const BodyId> given = view.shown.detection_body;
-  if (given.empty()) return;
+  std::vector<BoxProbabilities> probabilities;
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    tracks[q].detection = -1;
+    probabilities.push_back(steps.weigh(MembersOf(view, map.live[q], tracks[q]), boxes));
+    for (int m = 0; steps.compares_classes && m < count; ++m) {
+      if (detections[m].category != map.live[q].category) probabilities[q].probability[m] = 0.0;
+    }
+  }
+  const std::vector<int> chosen =
+      AssociateBoxes(probabilities, count, view.options.association, steps.box_cost);
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    tracks[q].detection = given.empty() ? chosen[q] : -1;
     for (int m = 0; m < static_cast<int>(given.size()); ++m) {
       if (given[m].valid() && given[m] == map.live[q].given_body) tracks[q].detection = m;
     }
   }
 }
 
-void FindBoxOfTrack(const ClusterSearch& search, const Cluster& cluster, ClusterTrack& track) {
-  if (track.detection >= 0) return;  // represented by the detection's own box
+// Sets the box of a track without a detection.
+void FindBoxOfTrack(const FrameView& view, const Cluster& cluster, ClusterTrack& track) {
+  if (track.detection >= 0) return;
   bool is_first = true;
-  for (const BoxMember& member : MembersOf(search, cluster, track)) {
+  for (const PredictedLandmark& member : MembersOf(view, cluster, track)) {
     const double u = member.zeta_px[0];
     const double v = member.zeta_px[1];
     if (is_first) track.box = {u, v, u, v};
     is_first = false;
-    track.box = {std::min(track.box.left_px, u), std::min(track.box.top_px, v),
-                 std::max(track.box.right_px, u), std::max(track.box.bottom_px, v)};
+    Include(u, v, track.box);
   }
 }
 
-}  // namespace cvo::internal
-
-namespace cvo {
-
-namespace {
-
 // Matches free features inside the box with landmarks of the cluster that are not in `matched`, by
 // their descriptors.
-std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluster,
+std::vector<Match> MatchInBox(const FrameView& view, const Cluster& cluster,
                               const std::vector<Match>& matched, const ImageBox& box,
                               const TakenFeatures& taken) {
   std::vector<char> is_matched(cluster.landmarks.size(), 0);
@@ -143,10 +135,10 @@ std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluste
   }
   std::vector<StereoFeature> features;
   std::vector<int> indices;
-  for (int i = 0; i < static_cast<int>(search.frame.features.size()); ++i) {
-    const StereoFeature& feature = search.frame.features[i];
+  for (int i = 0; i < static_cast<int>(view.frame.features.size()); ++i) {
+    const StereoFeature& feature = view.frame.features[i];
     if (taken[i] || !box.Contains(feature.z_px[0], feature.z_px[1])) continue;
-    if (!IsAllowed(search, cluster, i)) continue;
+    if (!IsAllowed(view, cluster, i)) continue;
     features.push_back(feature);
     indices.push_back(i);
   }
@@ -159,45 +151,64 @@ std::vector<Match> MatchInBox(const ClusterSearch& search, const Cluster& cluste
   return matches;
 }
 
-// Adds matches inside the cluster's box. They must agree with its pose or, if it has none, with
-// each other.
-void RematchAssociated(const ClusterSearch& search, const Cluster& cluster, Rng& rng,
-                       TakenFeatures& taken, ClusterTrack& track) {
-  const ImageBox& box = search.shown.detections[track.detection].box;
-  std::vector<Match> matches = MatchInBox(search, cluster, track.matches, box, taken);
-  const int min_inliers = track.is_tracked ? search.options.clusters.min_tracked
-                                           : search.options.association.min_rematch;
-  matches.insert(matches.end(), track.matches.begin(), track.matches.end());
-  std::sort(matches.begin(), matches.end(),
-            [](const Match& a, const Match& b) { return a.landmark < b.landmark; });
-  const auto solution = SolvePose(search, cluster, track.world_from_object, matches, min_inliers,
-                                  track.is_tracked, rng);
-  const int before = static_cast<int>(track.matches.size());
-  if (solution && solution->inliers >= before) {
-    AcceptPose(search, matches, *solution, taken, track);
+// Adds matches inside the boxes of the clusters. They must agree with the cluster's pose or, if it
+// has none, with each other.
+void RematchAssociated(const FrameView& view, const ClusterMap& map, Rng& rng, TakenFeatures& taken,
+                       std::vector<ClusterTrack>& tracks) {
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    ClusterTrack& track = tracks[q];
+    if (track.detection < 0) continue;
+    const ImageBox& box = view.shown.detections[track.detection].box;
+    std::vector<Match> matches = MatchInBox(view, map.live[q], track.matches, box, taken);
+    const int min_inliers =
+        track.is_tracked ? view.options.clusters.min_tracked : view.options.association.min_rematch;
+    matches.insert(matches.end(), track.matches.begin(), track.matches.end());
+    std::ranges::sort(matches, {}, &Match::landmark);
+    const auto solution = SolvePose(view, map.live[q], track.world_from_object, matches,
+                                    min_inliers, track.is_tracked, rng);
+    if (solution && solution->inliers >= static_cast<int>(track.matches.size())) {
+      AcceptPose(view, matches, *solution, taken, track);
+    }
   }
 }
 
 }  // namespace
 
-void RematchInBox::Rematch(const ClusterSearch& search, const ClusterMap& map, Rng& rng,
+void RematchInBox::Rematch(const FrameView& view, const ClusterMap& map, Rng& rng,
                            TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
-  for (std::size_t q = 0; q < tracks.size(); ++q) {
-    if (tracks[q].detection < 0) continue;
-    RematchAssociated(search, map.live[q], rng, taken, tracks[q]);
-  }
+  RematchAssociated(view, map, rng, taken, tracks);
+  NoBoxRematch::Rematch(view, map, rng, taken, tracks);
 }
 
-void ReleaseUnseen::Conclude(std::vector<ClusterTrack>& tracks) {
+void RematchAndRelaunch::Rematch(const FrameView& view, const ClusterMap& map, Rng& rng,
+                                 TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
+  RematchAssociated(view, map, rng, taken, tracks);
+  for (ClusterTrack& track : tracks) track.is_tracked |= track.detection >= 0;
+}
+
+void NoBoxRematch::Rematch(const FrameView&, const ClusterMap&, Rng&, TakenFeatures&,
+                           std::vector<ClusterTrack>& tracks) {
   for (ClusterTrack& track : tracks) {
     if (!track.is_tracked) track.detection = -1;
   }
 }
 
-void RematchAndRelaunch::Conclude(std::vector<ClusterTrack>& tracks) {
-  for (ClusterTrack& track : tracks) {
-    if (track.detection >= 0) track.is_tracked = true;
+std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const AssociationSteps& steps,
+                                            const ClusterPredictor& predict, const ClusterMap& map,
+                                            Rng& rng, TakenFeatures& taken) {
+  std::vector<ClusterTrack> tracks(map.live.size());
+  std::vector<PredictedLandmark> landmarks;
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    tracks[q].predicted = predict(map.live[q]);
+    tracks[q].world_from_object = tracks[q].predicted.world_from_object;
+    PredictLandmarksOf(view, map.live[q], static_cast<int>(q), tracks[q].predicted, landmarks);
   }
+  TrackClusters(view, map, landmarks, FindLandmarks(view, *steps.find, landmarks, taken), rng,
+                taken, tracks);
+  ChooseBoxes(view, steps, map, tracks);
+  steps.rematch(view, map, rng, taken, tracks);
+  for (std::size_t q = 0; q < tracks.size(); ++q) FindBoxOfTrack(view, map.live[q], tracks[q]);
+  return tracks;
 }
 
 }  // namespace cvo

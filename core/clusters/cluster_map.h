@@ -7,40 +7,24 @@
 #include <map>
 #include <vector>
 
-#include "core/association/cluster_association_options.h"
 #include "core/association/matching.h"
 #include "core/clustering/point_extent.h"
 #include "core/estimation/cluster.h"
 #include "core/estimation/window.h"
-#include "core/features/options.h"
 #include "core/geometry/stereo_camera.h"
 #include "core/interface/cluster_options.h"
 #include "core/interface/frame.h"
-#include "core/solvers/reprojection_cost.h"
 
 namespace cvo {
 
-// What is known of the current frame when clusters are associated.
+// What is known of a frame while it is processed.
 struct FrameView {
   const StereoFrame& frame;
   ShownBodies shown;
   const FeatureGrid& grid;
   StereoCamera camera;
   RigidTransform world_from_camera;
-};
-
-// Options of the search for clusters.
-struct ClusterSearchOptions {
-  FeatureNoise noise;
-  OrbOptions orb;
-  ClusterAssociationOptions association;
-  ClusterOptions clusters;
-  bool align_patches = true;  // tracking.align_patches
-};
-
-// A frame to be searched for clusters.
-struct ClusterSearch : FrameView {
-  ClusterSearchOptions options;
+  const Options& options;
 };
 
 // By feature: nonzero if it is already matched.

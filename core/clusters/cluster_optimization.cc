@@ -117,4 +117,30 @@ int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster
   return outliers;
 }
 
+SolverEndings OptimizeClusters(const Options& options, const EnergySteps& steps,
+                               const Window& window, TaskPool& pool, ClusterMap& map) {
+  // Maximum solves of a cluster: outliers are removed after each, and it is solved again while new
+  // ones are found.
+  constexpr int kRounds = 3;
+  SolverEndings total;
+  if (window.temporal.empty()) return total;
+  const FrameId newest = window.temporal.back().id;
+  std::vector<SolverEndings> endings(map.live.size());
+  pool.ParallelFor(static_cast<int>(map.live.size()), [&](int q) {
+    if (map.live[q].last_observed != newest) return;
+    for (int round = 0; round < kRounds; ++round) {
+      ClusterSelection selection = SelectCluster(options.NoiseOfFeatures(), window, map.live[q]);
+      if (selection.landmarks.empty()) return;
+      ClusterProblem& problem = selection.problem;
+      endings[q].Count(steps
+                           .solve_cluster(options.noise, options.solver,
+                                          steps.prior(options.motion_prior, problem), problem)
+                           .ending);
+      if (ApplyClusterSolution(steps.gate(options.noise), selection, map.live[q]) == 0) return;
+    }
+  });
+  for (const SolverEndings& of_cluster : endings) total += of_cluster;
+  return total;
+}
+
 }  // namespace cvo

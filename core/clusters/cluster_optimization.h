@@ -15,10 +15,6 @@
 
 namespace cvo {
 
-// Maximum solves of a cluster per frame; outliers are removed after each, and it is solved again
-// while new ones are found (matches of a body that leaves the image are worst in its last frame).
-inline constexpr int kClusterRounds = 3;
-
 // Converts matches of a body's landmarks with features to measurements of the camera pose in the
 // body's frame.
 std::vector<PointMeasurement> MeasurementsOf(const FeatureNoise& noise,
@@ -39,11 +35,13 @@ ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
 // Returns their number.
 int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster);
 
-// Options for solving the windows of the clusters.
-struct ClusterSolverOptions {
-  FeatureNoise noise;
-  SolverOptions solver;
-  MotionPriorOptions motion_prior;
+// The steps of the optimisation in which variants differ.
+struct EnergySteps {
+  MotionPriorSteps (*prior)(const MotionPriorOptions&, const ClusterProblem&);
+  double (*gate)(const NoiseOptions&);
+  SolverSummary (*solve_window)(const NoiseOptions&, const SolverOptions&, WindowProblem&);
+  SolverSummary (*solve_cluster)(const NoiseOptions&, const SolverOptions&, const MotionPriorSteps&,
+                                 ClusterProblem&);
 };
 
 // Sliding-window estimation of every cluster observed in the newest frame, with the camera held
@@ -53,27 +51,7 @@ struct ClusterSolverOptions {
 // Outliers must therefore be removed in the frame in which they occur, by solving again without
 // them: a body that leaves the image has its worst matches in its last frame. Returns how the
 // solves ended.
-template <MotionPriorPolicy MotionPrior, OutlierPolicy Outliers, SolverPolicy Solver>
-SolverEndings OptimizeClusters(const ClusterSolverOptions& options, const Window& window,
-                               TaskPool& pool, ClusterMap& map) {
-  SolverEndings total;
-  if (window.temporal.empty()) return total;
-  const FrameId newest = window.temporal.back().id;
-  std::vector<SolverEndings> endings(map.live.size());
-  pool.ParallelFor(static_cast<int>(map.live.size()), [&](int q) {
-    if (map.live[q].last_observed != newest) return;
-    for (int round = 0; round < kClusterRounds; ++round) {
-      ClusterSelection selection = SelectCluster(options.noise, window, map.live[q]);
-      if (selection.landmarks.empty()) return;
-      endings[q].Count(SolveCluster<MotionPrior, Solver>(options.noise.options, options.solver,
-                                                         options.motion_prior, selection.problem)
-                           .ending);
-      const double gate = Outliers::Gate(options.noise.options);
-      if (ApplyClusterSolution(gate, selection, map.live[q]) == 0) return;
-    }
-  });
-  for (const SolverEndings& of_cluster : endings) total += of_cluster;
-  return total;
-}
+SolverEndings OptimizeClusters(const Options& options, const EnergySteps& steps,
+                               const Window& window, TaskPool& pool, ClusterMap& map);
 
 }  // namespace cvo

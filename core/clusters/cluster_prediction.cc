@@ -17,22 +17,21 @@ bool IsAllowed(const FrameView& view, const Cluster& cluster, int feature) {
   return given.empty() || !given[feature].valid() || given[feature] == cluster.given_body;
 }
 
-std::optional<CameraSolution> SolvePose(const ClusterSearch& search, const Cluster& cluster,
+std::optional<CameraSolution> SolvePose(const FrameView& view, const Cluster& cluster,
                                         const RigidTransform& world_from_object,
                                         const std::vector<Match>& matches, int min_inliers,
                                         bool is_predicted, Rng& rng) {
   if (static_cast<int>(matches.size()) < min_inliers) return std::nullopt;
-  const std::vector<PointMeasurement> measurements =
-      MeasurementsOf(search.options.noise, cluster.landmarks, search.frame.features, matches);
+  const std::vector<PointMeasurement> measurements = MeasurementsOf(
+      view.options.NoiseOfFeatures(), cluster.landmarks, view.frame.features, matches);
   if (is_predicted) {
-    const RigidTransform object_from_camera =
-        world_from_object.Inverse() * search.world_from_camera;
+    const RigidTransform object_from_camera = world_from_object.Inverse() * view.world_from_camera;
     CameraSolution solution =
-        SolveCamera(search.camera, measurements, object_from_camera, search.options.noise.options);
+        SolveCamera(view.camera, measurements, object_from_camera, view.options.noise);
     if (solution.inliers >= min_inliers && 2 * solution.inliers >= static_cast<int>(matches.size()))
       return solution;
   }
-  return SolveCameraRansac(search.camera, measurements, search.options.noise.options, CountInliers,
+  return SolveCameraRansac(view.camera, measurements, view.options.noise, CountInliers,
                            kRansacIterations, min_inliers, rng);
 }
 
@@ -48,15 +47,15 @@ void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
   }
 }
 
-void PlaceFeatures(const ClusterSearch& search, const Cluster& cluster, const ClusterTrack& track,
+void PlaceFeatures(const FrameView& view, const Cluster& cluster, const ClusterTrack& track,
                    std::span<StereoFeature> features) {
   const RigidTransform camera_from_object =
-      search.world_from_camera.Inverse() * track.world_from_object;
-  if (search.options.align_patches) {
-    AlignToLandmarks(search.options.orb.scale_factor, camera_from_object, cluster.landmarks,
+      view.world_from_camera.Inverse() * track.world_from_object;
+  if (view.options.tracking.align_patches) {
+    AlignToLandmarks(view.options.orb.scale_factor, camera_from_object, cluster.landmarks,
                      track.matches, features);
   }
-  PlaceLeftOnly(search.camera, camera_from_object, cluster.landmarks, track.matches, features);
+  PlaceLeftOnly(view.camera, camera_from_object, cluster.landmarks, track.matches, features);
 }
 
 namespace {
@@ -90,56 +89,48 @@ Eigen::Matrix3d RideCovariance(const PredictedCluster& predicted, double lever_m
 
 }  // namespace
 
-std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_ns) {
-  std::vector<MotionState> states;
-  const std::size_t first = cluster.states.size() >= 2 ? cluster.states.size() - 2 : 0;
-  for (std::size_t i = first; i < cluster.states.size(); ++i) {
+PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,
+                                Extrapolation& extrapolate, const MotionPriorOptions& motion) {
+  const std::int64_t origin_ns = cluster.Latest().timestamp_ns;
+  const double dt_s = SecondsBetween(origin_ns, timestamp_ns);
+  std::vector<MotionState> states;  // the last two, or the only one
+  for (std::size_t i = std::max<std::size_t>(cluster.states.size(), 2) - 2;
+       i < cluster.states.size(); ++i) {
     const ClusterState& state = cluster.states[i];
     states.push_back({SecondsBetween(origin_ns, state.timestamp_ns), state.world_from_object,
                       state.velocity_m_s});
   }
-  return states;
-}
-
-double SpeedVariance(const Cluster& cluster) {
-  const double deviation = FallingDeviation(kFirstSpeed_m_s, kSpeedDeviation_m_s, cluster.frames);
-  return deviation * deviation;
-}
-
-PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
-                                 double dt_s) {
-  PredictedCluster predicted;
-  predicted.world_from_object = extrapolated.world_from_object;
-  predicted.velocity_m_s = cluster.Latest().velocity_m_s;
-  predicted.translation_variance_m2 = extrapolated.translation_covariance_m2(0, 0);
-  const double turn_deviation =
+  const double speed = FallingDeviation(kFirstSpeed_m_s, kSpeedDeviation_m_s, cluster.frames);
+  const double turn =
       dt_s * FallingDeviation(kFirstTurn_rad_s, kTurnDeviation_rad_s, cluster.frames);
-  predicted.rotation_variance_rad2 = turn_deviation * turn_deviation;
-  return predicted;
+  const PredictedMotion extrapolated =
+      extrapolate(motion, states, dt_s, speed * speed * Eigen::Matrix3d::Identity());
+  return {extrapolated.world_from_object, cluster.Latest().velocity_m_s,
+          extrapolated.translation_covariance_m2(0, 0), turn * turn};
 }
 
-std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
+std::optional<PredictedLandmark> PredictLandmark(const FrameView& view,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark) {
-  const Eigen::Matrix3d R_camera_from_world = search.world_from_camera.RotationMatrix().transpose();
+  const Eigen::Matrix3d R_camera_from_world = view.world_from_camera.RotationMatrix().transpose();
   const Eigen::Vector3d p_in_world = predicted.world_from_object * landmark.p_in_object;
   const Eigen::Vector3d c =
-      R_camera_from_world * (p_in_world - search.world_from_camera.translation());
-  const auto zeta = search.camera.Project(c);
-  if (!zeta || !search.camera.InImage((*zeta)[0], (*zeta)[1])) return std::nullopt;
+      R_camera_from_world * (p_in_world - view.world_from_camera.translation());
+  const auto zeta = view.camera.Project(c);
+  if (!zeta || !view.camera.InImage((*zeta)[0], (*zeta)[1])) return std::nullopt;
 
-  const double log_scale = std::log(search.options.orb.scale_factor);
+  const double log_scale = std::log(view.options.orb.scale_factor);
   const int octave =
       std::clamp(landmark.last_octave +
                      static_cast<int>(std::lround(std::log(landmark.depth_m / c.z()) / log_scale)),
-                 0, search.options.orb.levels - 1);
-  const Eigen::Matrix3d J = search.camera.ProjectionJacobian(c) * R_camera_from_world;
+                 0, view.options.orb.levels - 1);
+  const Eigen::Matrix3d J = view.camera.ProjectionJacobian(c) * R_camera_from_world;
   const Eigen::Matrix3d JR = J * predicted.world_from_object.RotationMatrix();
   const double lever_m = landmark.p_in_object.norm();
   PredictedLandmark result;
   result.zeta_px = *zeta;
   result.position_px2 = JR * landmark.covariance.in_object_m2 * JR.transpose();
-  result.measurement_px2 = search.options.noise.Covariance(octave);
+  result.measurement_px2 = view.options.NoiseOfFeatures().Covariance(octave);
   result.innovation_px2 = result.position_px2 +
                           J * RideCovariance(predicted, lever_m) * J.transpose() +
                           result.measurement_px2;

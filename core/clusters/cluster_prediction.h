@@ -26,32 +26,20 @@ struct PredictedCluster {
   double rotation_variance_rad2 = 0.0;
 };
 
-// Returns the cluster's last two states, or its only one, with times relative to origin_ns.
-std::vector<MotionState> LastStates(const Cluster& cluster, std::int64_t origin_ns);
-// Returns the prediction with mean `extrapolated`, dt_s after the latest state, and its variances.
-PredictedCluster WithUncertainty(const Cluster& cluster, const PredictedMotion& extrapolated,
-                                 double dt_s);
-// Variance of the cluster's velocity (m^2/s^2), per axis.
-double SpeedVariance(const Cluster& cluster);
+// Extrapolate with the policies of a variant.
+using Extrapolation = PredictedMotion(const MotionPriorOptions&, std::span<const MotionState>,
+                                      double time_s, const Eigen::Matrix3d& velocity_covariance);
 
-template <MotionPriorPolicy MotionPrior, RotationPolicy Rotation>
+// Predicts the cluster at a time after its latest state.
 PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,
-                                const MotionPriorOptions& motion) {
-  const std::int64_t origin_ns = cluster.Latest().timestamp_ns;
-  const double dt_s = SecondsBetween(origin_ns, timestamp_ns);
-  const Eigen::Matrix3d speed = SpeedVariance(cluster) * Eigen::Matrix3d::Identity();
-  return WithUncertainty(
-      cluster,
-      Extrapolate<MotionPrior, Rotation>(motion, LastStates(cluster, origin_ns), dt_s, speed),
-      dt_s);
-}
+                                Extrapolation& extrapolate, const MotionPriorOptions& motion);
 
 // Predicts any cluster at one fixed time.
 using ClusterPredictor = std::function<PredictedCluster(const Cluster&)>;
 
 // Predicts how the current camera sees a landmark of the cluster. Empty if the landmark is behind
 // the camera or outside the image.
-std::optional<PredictedLandmark> PredictLandmark(const ClusterSearch& search,
+std::optional<PredictedLandmark> PredictLandmark(const FrameView& view,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark);
 
@@ -71,7 +59,7 @@ bool IsAllowed(const FrameView& view, const Cluster& cluster, int feature);
 // If world_from_object can be trusted (is_predicted), the solution that starts from it is taken,
 // provided that at least half of the matches agree with it; otherwise RANSAC is used. Empty if
 // fewer than min_inliers matches agree.
-std::optional<CameraSolution> SolvePose(const ClusterSearch& search, const Cluster& cluster,
+std::optional<CameraSolution> SolvePose(const FrameView& view, const Cluster& cluster,
                                         const RigidTransform& world_from_object,
                                         const std::vector<Match>& matches, int min_inliers,
                                         bool is_predicted, Rng& rng);
@@ -81,7 +69,7 @@ void AcceptPose(const FrameView& view, const std::vector<Match>& matches,
                 const CameraSolution& solution, TakenFeatures& taken, ClusterTrack& track);
 // Moves the matched features to where they show their landmarks: AlignToLandmarks (if align_patches
 // is set), then PlaceLeftOnly.
-void PlaceFeatures(const ClusterSearch& search, const Cluster& cluster, const ClusterTrack& track,
+void PlaceFeatures(const FrameView& view, const Cluster& cluster, const ClusterTrack& track,
                    std::span<StereoFeature> features);
 
 }  // namespace cvo

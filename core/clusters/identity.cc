@@ -99,8 +99,8 @@ void ChangeFrame(const RigidTransform& old_from_new, ClusterId id, Cluster& clus
 
 // Estimates lost_from_found from landmarks with similar descriptors, which are points of both
 // clusters; three of them determine it.
-std::optional<RigidTransform> AlignLandmarks(const ClusterAssociationOptions& association,
-                                             const Cluster& lost, const Cluster& found, Rng& rng) {
+std::optional<RigidTransform> AlignLandmarks(int min_pairs, const Cluster& lost,
+                                             const Cluster& found, Rng& rng) {
   std::vector<Descriptor> descriptors;
   for (const Landmark& landmark : lost.landmarks) descriptors.push_back(landmark.descriptor);
   std::vector<StereoFeature> features;
@@ -118,8 +118,7 @@ std::optional<RigidTransform> AlignLandmarks(const ClusterAssociationOptions& as
     from.col(column) = found.landmarks[matches[i].feature].p_in_object;
     to.col(column) = lost.landmarks[matches[i].landmark].p_in_object;
   }
-  return AlignPointsRansac(from, to, PointDeviation_m(found), association.min_rematch,
-                           kRansacIterations, rng);
+  return AlignPointsRansac(from, to, PointDeviation_m(found), min_pairs, kRansacIterations, rng);
 }
 
 void Inherit(const Cluster& lost, const RigidTransform& lost_from_found, ClusterMap& map,
@@ -156,7 +155,7 @@ bool IsReachable(const PredictedCluster& lost, const Cluster& found,
 std::vector<const Cluster*> LostClusters(const IdentityStep& step, const ClusterMap& map) {
   std::vector<const Cluster*> lost;
   const auto add = [&](const Cluster& cluster) {
-    if (cluster.last_observed < step.newest && IsConfirmed(cluster, step.clusters)) {
+    if (cluster.last_observed < step.newest && IsConfirmed(cluster, step.options.clusters)) {
       lost.push_back(&cluster);
     }
   };
@@ -180,10 +179,11 @@ void InheritLostIdentity::Update(const IdentityStep& step, ClusterMap& map, Rng&
   std::vector<ClusterId> inherited;
   for (Cluster& found : map.live) {
     const bool is_new = found.frames <= kCompareFrames && found.last_observed == step.newest;
-    if (!is_new || !IsConfirmed(found, step.clusters)) continue;
+    if (!is_new || !IsConfirmed(found, step.options.clusters)) continue;
     for (const Cluster* lost : lost_clusters) {
       if (!MayBeOne(found, *lost) || std::ranges::count(inherited, lost->id) > 0) continue;
-      const auto lost_from_found = AlignLandmarks(step.association, *lost, found, rng);
+      const auto lost_from_found =
+          AlignLandmarks(step.options.association.min_rematch, *lost, found, rng);
       if (!lost_from_found || !IsReachable(step.predict(*lost), found, *lost_from_found)) continue;
       inherited.push_back(lost->id);
       Inherit(*lost, *lost_from_found, map, found);

@@ -5,21 +5,14 @@
 #include "core/base/rng.h"
 #include "core/clusters/cluster_map.h"
 #include "core/clusters/cluster_prediction.h"
-#include "core/interface/cluster_options.h"
 
 namespace cvo {
 
 // Inputs of the identity update at the end of a frame.
 struct IdentityStep {
-  const ClusterAssociationOptions& association;
-  const ClusterOptions& clusters;
+  const Options& options;
   FrameId newest;
   const ClusterPredictor& predict;  // at the time of the frame
-};
-
-template <typename Policy>
-concept IdentityPolicy = requires(const IdentityStep& step, ClusterMap& map, Rng& rng) {
-  Policy::Update(step, map, rng);
 };
 
 // Policy: a new cluster continues a lost one of its class if enough of its landmarks are also
@@ -33,4 +26,5 @@ struct InheritLostIdentity {
 struct AlwaysNewIdentity {
   static void Update(const IdentityStep&, ClusterMap&, Rng&) {}
 };
+
 }  // namespace cvo

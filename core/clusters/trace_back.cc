@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "core/base/lists.h"
 #include "core/clusters/cluster_prediction.h"
 #include "core/geometry/stereo_camera.h"
 
@@ -52,9 +54,6 @@ void UpdateReference(double scale_factor, const StereoFeature& feature, Landmark
   if (!is_kept) landmark.reference = {feature.patch, size_m};
 }
 
-}  // namespace cvo
-
-namespace cvo::internal {
 namespace {
 
 bool WasTracked(const ClusterTrajectory& trajectory, FrameId frame) {
@@ -93,8 +92,8 @@ void InsertPose(const KeptFrame& kept, const ClusterTrack& track, double score_d
   trajectory.poses.insert(at, pose);
 }
 
-}  // namespace
-
+// Returns the first frame of T_t since which the cluster has been tracked without a gap; invalid if
+// it is not tracked in the newest frame.
 FrameId FirstTracked(const Window& window, const Cluster& cluster) {
   FrameId first;
   for (auto frame = window.temporal.rbegin(); frame != window.temporal.rend(); ++frame) {
@@ -104,6 +103,8 @@ FrameId FirstTracked(const Window& window, const Cluster& cluster) {
   return first;
 }
 
+// Returns the frames of T_t before FirstTracked, latest first, back to the last one in which the
+// cluster was tracked, which is excluded. Empty unless the search is due.
 std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& window,
                                    const ClusterTrajectory& trajectory, const Cluster& cluster) {
   const FrameId newest = window.temporal.back().id;
@@ -126,6 +127,8 @@ std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& 
   return frames;
 }
 
+// Predicts the cluster in an earlier frame from the next two states after it, which are the last
+// two when time is reversed.
 PredictedCluster PredictBack(const PredictorAnytime& predict, const Cluster& cluster,
                              const KeptFrame& kept) {
   const auto next = FirstStateAfter(kept.id, cluster.states);
@@ -142,33 +145,35 @@ PredictedCluster PredictBack(const PredictorAnytime& predict, const Cluster& clu
   return predicted;
 }
 
-std::optional<ClusterTrack> TrackInPast(const ClusterSearch& search, const Cluster& cluster,
-                                        const PredictedCluster& predicted,
-                                        const PredictedLandmarks& landmarks,
-                                        const std::vector<Match>& matches, Rng& rng,
-                                        KeptFrame& kept) {
-  std::vector<Match> allowed;
-  for (const Match& match : matches) {
-    if (!IsAllowed(search, cluster, match.feature)) continue;
-    allowed.push_back({landmarks.source[match.landmark].landmark, match.feature, match.hamming});
-  }
-  const auto solution = SolvePose(search, cluster, predicted.world_from_object, allowed,
-                                  search.options.clusters.min_tracked, true, rng);
+// Tracks the cluster in an earlier frame. Empty if too few matches agree or if their pose
+// contradicts the prediction. Otherwise the inliers' features are placed (PlaceFeatures) and marked
+// as taken in `kept`, as in the newest frame.
+std::optional<ClusterTrack> TrackInPast(const FrameView& view, LandmarkSearch& find,
+                                        const Cluster& cluster, const PredictedCluster& predicted,
+                                        Rng& rng, KeptFrame& kept) {
+  std::vector<PredictedLandmark> landmarks;
+  PredictLandmarksOf(view, cluster, 0, predicted, landmarks);
+  std::vector<Match> matches = FindLandmarks(view, find, landmarks, kept.taken);
+  std::erase_if(matches, [&](const Match& m) { return !IsAllowed(view, cluster, m.feature); });
+  for (Match& match : matches) match.landmark = landmarks[match.landmark].landmark;
+  const auto solution = SolvePose(view, cluster, predicted.world_from_object, matches,
+                                  view.options.clusters.min_tracked, true, rng);
   if (!solution) return std::nullopt;
   const RigidTransform world_from_object =
-      search.world_from_camera * solution->world_from_camera.Inverse();
+      view.world_from_camera * solution->world_from_camera.Inverse();
   const double off_m2 =
       (world_from_object.translation() - predicted.world_from_object.translation()).squaredNorm();
-  if (off_m2 > search.options.association.gamma * predicted.translation_variance_m2) {
+  if (off_m2 > view.options.association.gamma * predicted.translation_variance_m2) {
     return std::nullopt;
   }
   ClusterTrack track;
   track.predicted = predicted;
-  AcceptPose(search, allowed, *solution, kept.taken, track);
-  PlaceFeatures(search, cluster, track, kept.frame.features);
+  AcceptPose(view, matches, *solution, kept.taken, track);
+  PlaceFeatures(view, cluster, track, kept.frame.features);
   return track;
 }
 
+// Adds the state, the observations and the reported pose of an earlier frame.
 void AddPast(const ClusterOptions& options, const KeptFrame& kept, const ClusterTrack& track,
              Cluster& cluster, ClusterTrajectory& trajectory) {
   for (const Match& match : track.matches) {
@@ -184,4 +189,32 @@ void AddPast(const ClusterOptions& options, const KeptFrame& kept, const Cluster
   InsertPose(kept, track, options.score_decay, trajectory);
 }
 
-}  // namespace cvo::internal
+}  // namespace
+
+void TraceBack(const TraceBackStep& step, std::deque<KeptFrame>& kept_frames, ClusterMap& map,
+               Rng& rng) {
+  const Window& window = step.window;
+  for (Cluster& cluster : map.live) {
+    ClusterTrajectory& trajectory = map.trajectories[cluster.id];
+    for (const FrameId id : FramesToTrace(step.options.clusters, window, trajectory, cluster)) {
+      KeptFrame* kept = FindBy(kept_frames, &KeptFrame::id, id);
+      if (kept == nullptr) break;
+      const FeatureGrid grid(kept->frame.features, window.camera);
+      const FrameView view{kept->frame,
+                           step.show(kept->frame),
+                           grid,
+                           window.camera,
+                           window.Find(id)->world_from_camera,
+                           step.options};
+      const auto track = TrackInPast(view, *step.find, cluster,
+                                     PredictBack(step.predict, cluster, *kept), rng, *kept);
+      if (!track) {
+        cluster.lost_before = FirstTracked(window, cluster);
+        break;
+      }
+      AddPast(step.options.clusters, *kept, *track, cluster, trajectory);
+    }
+  }
+}
+
+}  // namespace cvo

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "core/association/box_association.h"
 #include "core/base/ids.h"
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"

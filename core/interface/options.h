@@ -6,7 +6,6 @@
 #include "core/association/matching.h"
 #include "core/base/options.h"
 #include "core/clustering/crf_options.h"
-#include "core/clustering/label_matching.h"
 #include "core/clustering/point_extent.h"
 #include "core/estimation/double_track.h"
 #include "core/features/options.h"
@@ -18,8 +17,7 @@
 
 namespace cvo {
 
-// All options of the estimator, including the front end. Each step takes only the groups that it
-// reads.
+// All options of the estimator, including the front end.
 struct Options {
   OrbOptions orb;
   StereoMatchOptions stereo;

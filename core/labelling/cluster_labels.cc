@@ -6,6 +6,8 @@
 #include <map>
 #include <set>
 
+#include "core/base/lists.h"
+
 namespace cvo {
 
 namespace {
@@ -34,7 +36,7 @@ CrfNode MakeNode(const FrameView& view, const FeatureNoise& noise, const FramePo
 }
 
 // Returns past_camera_from_object(then) * object_from_camera(now).
-std::optional<RigidTransform> PastFromNow(const FrameView& view, PointOwner owner,
+std::optional<RigidTransform> PastFromNow(const FrameView& view, int owner,
                                           const RigidTransform& world_from_object,
                                           const ClusterMap& map, const WindowFrame* past) {
   const auto then = past ? OwnerPose(owner, past->id, map) : std::nullopt;
@@ -52,13 +54,16 @@ void GrowToBox(const StereoCamera& camera, double box_half_size, const ImageBox&
   extent.half_size_m = extent.half_size_m.cwiseMax(box_half_size * side_m);
 }
 
-CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int q,
-                      const ClusterMap& map, const ClusterTrack& track, const WindowFrame* past) {
+CrfLabel ClusterLabel(const FrameView& view, int q, const ClusterMap& map,
+                      const ClusterTrack& track, const WindowFrame* past) {
   const Cluster& cluster = map.live[q];
   const RigidTransform camera_from_object =
       view.world_from_camera.Inverse() * track.world_from_object;
   CrfLabel label;
   label.kind = LabelKind::kCluster;
+  label.cluster = cluster.id;
+  label.detection = track.detection;
+  label.given_body = cluster.given_body;
   if (track.detection >= 0) {
     label.box = view.shown.detections[track.detection].box;
   } else if (track.box.Width() > 0.0) {
@@ -67,154 +72,153 @@ CrfLabel ClusterLabel(const FrameView& view, const ClusterOptions& options, int 
   label.extent = CrfLabel::Extent{camera_from_object * cluster.center_in_object,
                                   camera_from_object.RotationMatrix(), cluster.half_size_m};
   const auto& box = label.box ? label.box : label.predicted_box;
-  if (box) GrowToBox(view.camera, options.box_half_size, *box, *label.extent);
+  if (box) GrowToBox(view.camera, view.options.clusters.box_half_size, *box, *label.extent);
   if (track.is_tracked) {
-    label.past_from_now = PastFromNow(view, ClusterOwner(q), track.world_from_object, map, past);
+    label.past_from_now = PastFromNow(view, q, track.world_from_object, map, past);
   }
   return label;
 }
 
 // Adds a label for each body that occurs in the given labels of features and has no label yet.
-void AddGivenBodies(const FrameView& view, LabelScene& scene) {
+void AddGivenBodies(const FrameView& view, std::vector<CrfLabel>& labels) {
   const std::span<const BodyId> bodies = view.shown.feature_body;
   for (const BodyId body : std::set<BodyId>(bodies.begin(), bodies.end())) {
-    const auto known = std::find(scene.given_body.begin(), scene.given_body.end(), body);
-    if (body <= kStaticBody || known != scene.given_body.end()) continue;
-    CrfLabel label;
-    label.kind = LabelKind::kNewBox;
-    scene.crf.labels.push_back(label);
-    scene.detection.push_back(-1);
-    scene.given_body.push_back(body);
+    if (body <= kStaticBody || FindBy(labels, &CrfLabel::given_body, body) != nullptr) continue;
+    labels.push_back({.kind = LabelKind::kNewBox, .given_body = body});
   }
 }
 
 // Whether the detection shows a part of a body that is whole in the box of a cluster: detectors
 // sometimes report both. `body` is what would be born from it.
-bool IsPartOfCluster(const FrameView& view, double part_share, int detection,
-                     const CrfLabel::Extent& body, const std::vector<ClusterTrack>& tracks,
-                     const LabelScene& scene) {
+bool IsPartOfCluster(const FrameView& view, int detection, const CrfLabel::Extent& body,
+                     const std::vector<CrfLabel>& labels) {
   constexpr double kDeepestSides = 2.0;  // depth of a body relative to the sides of its box
   const Detection& part = view.shown.detections[detection];
-  for (int q = 0; q < scene.clusters; ++q) {
-    if (tracks[q].detection < 0) continue;
-    const Detection& whole = view.shown.detections[tracks[q].detection];
-    if (whole.category != part.category || ShareInside(part.box, whole.box) < part_share) continue;
-    const double depth_m = scene.crf.labels[1 + q].extent->center_in_camera.z();
+  return std::ranges::any_of(labels, [&](const CrfLabel& label) {
+    if (label.kind != LabelKind::kCluster || label.detection < 0) return false;
+    const Detection& whole = view.shown.detections[label.detection];
+    if (whole.category != part.category ||
+        ShareInside(part.box, whole.box) < view.options.extent.part_share) {
+      return false;
+    }
+    const double depth_m = label.extent->center_in_camera.z();
     const double side_m =
         depth_m * std::max(whole.box.Width(), whole.box.Height()) / view.camera.fx;
-    if (std::abs(body.center_in_camera.z() - depth_m) < kDeepestSides * side_m) return true;
-  }
-  return false;
-}
-
-// Returns camera_from_object of the body that owns the point's landmark.
-RigidTransform OwnerInCamera(const FrameView& view, const FramePoint& point,
-                             const std::vector<ClusterTrack>& tracks) {
-  const RigidTransform camera_from_world = view.world_from_camera.Inverse();
-  if (point.owner.kind != PointOwner::Kind::kCluster) return camera_from_world;
-  return camera_from_world * tracks[point.owner.cluster].world_from_object;
+    return std::abs(body.center_in_camera.z() - depth_m) < kDeepestSides * side_m;
+  });
 }
 
 }  // namespace
 
-LabelScene BuildLabelScene(const FrameView& view, const LabelSceneOptions& options,
-                           const Window& window, const ClusterMap& map,
-                           const std::vector<ClusterTrack>& tracks,
-                           const std::vector<FramePoint>& points, const NewBodyRule& new_body) {
-  const WindowFrame* past = FindPastFrame(window, options.unary.past_frames);
-  LabelScene scene;
-  scene.crf.camera = view.camera;
+CrfScene BuildCrfScene(const FrameView& view, const NewBodyRule& new_body, const Window& window,
+                       const ClusterMap& map, const std::vector<ClusterTrack>& tracks,
+                       const std::vector<FramePoint>& points) {
+  const WindowFrame* past = FindPastFrame(window, view.options.unary.past_frames);
+  const RigidTransform camera_from_world = view.world_from_camera.Inverse();
+  CrfScene scene;
+  scene.camera = view.camera;
   for (const FramePoint& point : points) {
     const Landmark* landmark = FindLandmark(point, window, map);
-    scene.crf.nodes.push_back(MakeNode(view, options.noise, point, landmark, past));
+    scene.nodes.push_back(MakeNode(view, view.options.NoiseOfFeatures(), point, landmark, past));
     if (!landmark) continue;
-    scene.crf.nodes.back().estimate =
-        CrfNode::Place{OwnerInCamera(view, point, tracks) * landmark->p_in_object};
+    const RigidTransform camera_from_object =
+        point.owner < 0 ? camera_from_world
+                        : camera_from_world * tracks[point.owner].world_from_object;
+    scene.nodes.back().estimate = CrfNode::Place{camera_from_object * landmark->p_in_object};
   }
-  CrfLabel still;
-  still.kind = LabelKind::kStatic;
-  still.past_from_now = PastFromNow(view, kSceneOwner, RigidTransform(), map, past);
-  scene.crf.labels.push_back(still);
-
+  scene.labels.push_back(
+      {.kind = LabelKind::kStatic,
+       .cluster = kStaticScene,
+       .given_body = kStaticBody,
+       .past_from_now = PastFromNow(view, kSceneOwner, RigidTransform(), map, past)});
   std::vector<char> is_claimed(view.shown.detections.size(), 0);
-  scene.clusters = static_cast<int>(tracks.size());
-  scene.detection.push_back(-1);
-  for (int q = 0; q < scene.clusters; ++q) {
-    scene.crf.labels.push_back(ClusterLabel(view, options.clusters, q, map, tracks[q], past));
-    scene.detection.push_back(tracks[q].detection);
+  for (int q = 0; q < static_cast<int>(tracks.size()); ++q) {
+    scene.labels.push_back(ClusterLabel(view, q, map, tracks[q], past));
     if (tracks[q].detection >= 0) is_claimed[tracks[q].detection] = 1;
   }
-  scene.given_body.push_back(kStaticBody);
-  for (const Cluster& cluster : map.live) scene.given_body.push_back(cluster.given_body);
-  const std::vector<std::optional<CrfLabel::Extent>> bodies =
-      FindNewBodies(view, {new_body, options.extent}, is_claimed, points, scene.crf.nodes);
+  const auto bodies = FindNewBodies(view, new_body, is_claimed, points, scene.nodes);
   for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
-    if (!bodies[m]) continue;
-    if (IsPartOfCluster(view, options.extent.part_share, m, *bodies[m], tracks, scene)) continue;
-    CrfLabel label;
-    label.kind = LabelKind::kNewBox;
-    label.box = view.shown.detections[m].box;
-    label.extent = bodies[m];
-    scene.crf.labels.push_back(label);
-    scene.detection.push_back(m);
+    if (!bodies[m] || IsPartOfCluster(view, m, *bodies[m], scene.labels)) continue;
     const std::span<const BodyId> given = view.shown.detection_body;
-    scene.given_body.push_back(given.empty() ? BodyId() : given[m]);
+    scene.labels.push_back({.kind = LabelKind::kNewBox,
+                            .detection = m,
+                            .given_body = given.empty() ? BodyId() : given[m],
+                            .box = view.shown.detections[m].box,
+                            .extent = bodies[m]});
   }
-  AddGivenBodies(view, scene);
-  CrfLabel outlier;
-  outlier.kind = LabelKind::kOutlier;
-  scene.crf.labels.push_back(outlier);
-  scene.detection.push_back(-1);
-  scene.given_body.push_back(BodyId());
+  AddGivenBodies(view, scene.labels);
+  scene.labels.push_back({.kind = LabelKind::kOutlier});
   return scene;
 }
 
-namespace internal {
+namespace {
 
+// Returns for each node the most probable label, or that of its given body if there is one.
 std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoint>& points,
-                              const LabelScene& scene, const CrfResult& crf) {
+                              const CrfScene& scene, const CrfResult& crf) {
   std::vector<int> labels = MostLikelyLabels(crf.q);
   const std::span<const BodyId> given = view.shown.feature_body;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (given.empty() || !given[points[i].feature].valid()) continue;
-    labels[i] = static_cast<int>(
-        std::find(scene.given_body.begin(), scene.given_body.end(), given[points[i].feature]) -
-        scene.given_body.begin());
+  for (std::size_t i = 0; i < points.size() && !given.empty(); ++i) {
+    const BodyId body = given[points[i].feature];
+    if (!body.valid()) continue;
+    labels[i] =
+        static_cast<int>(FindBy(scene.labels, &CrfLabel::given_body, body) - scene.labels.data());
   }
   return labels;
 }
 
-DecidedLabels DescribeDecision(const Window& window, const ClusterMap& map,
-                               const std::vector<FramePoint>& points, const LabelScene& scene,
-                               const std::vector<int>& decided) {
-  DecidedLabels result;
-  for (std::size_t l = 0; l < scene.crf.labels.size(); ++l) {
-    const CrfLabel& label = scene.crf.labels[l];
-    LabelIdentity identity{label.kind, l == 0 ? kStaticScene : ClusterId{}};
-    if (label.kind == LabelKind::kCluster) identity.cluster = map.live[l - 1].id;
-    result.identities.push_back(identity);
-  }
-  // New points have no previous cluster.
+// Returns for each label the cluster that it continues.
+std::vector<ClusterId> ContinueClusters(const FrameView& view, const Window& window,
+                                        const ClusterMap& map,
+                                        const std::vector<FramePoint>& points,
+                                        const CrfScene& scene, const std::vector<int>& decided) {
+  std::vector<int> label_of_old;  // new points have no previous cluster
+  std::vector<ClusterId> previous;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Landmark* landmark = FindLandmark(points[i], window, map);
     if (!landmark) continue;
-    result.previous.push_back(landmark->label.cluster);
-    result.label_of_old.push_back(decided[i]);
+    previous.push_back(landmark->label.cluster);
+    label_of_old.push_back(decided[i]);
   }
-  return result;
+  return MatchLabels(scene.labels, {label_of_old, previous}, view.options.label_matching);
 }
 
-void NameLabels(const ClusterMap& map, const LabelScene& scene, std::vector<ClusterId>& cluster_of,
-                FrameLabels& labels) {
-  ClusterId next = map.next;
-  for (int l = 1; l < scene.Outlier(); ++l) {
-    const ClusterId own = scene.IsNewBox(l) ? ClusterId{} : map.live[l - 1].id;
+// Returns the label with the lowest energy other than `decided`. There must be at least two labels.
+int SecondLabel(const EnergyMatrix& total, Eigen::Index node, int decided) {
+  int second = decided == 0 ? 1 : 0;
+  for (int label = 0; label < total.cols(); ++label) {
+    if (label != decided && total(node, label) < total(node, second)) second = label;
+  }
+  return second;
+}
+
+// The report on a point, with the label that its landmark has so far or, without one, `inferred`.
+LandmarkReport Unlabelled(const FrameView& view, const FramePoint& point, const Landmark* landmark,
+                          ClusterId inferred) {
+  const LabelState label = landmark ? landmark->label : LabelState{inferred, 1};
+  LandmarkReport report;
+  report.feature = point.feature;
+  report.cluster = label.cluster;
+  report.confidence = label.confidence;
+  report.inferred = inferred;
+  const auto p_in_camera = view.camera.BackProject(view.frame.features[point.feature].z_px);
+  if (p_in_camera) report.p_in_world = view.world_from_camera * *p_in_camera;
+  return report;
+}
+
+}  // namespace
+
+void NameLabels(ClusterId next, const std::vector<CrfLabel>& crf_labels,
+                std::vector<ClusterId>& cluster_of, FrameLabels& labels) {
+  for (std::size_t l = 0; l < crf_labels.size(); ++l) {
+    const CrfLabel& label = crf_labels[l];
+    if (label.kind == LabelKind::kStatic || label.kind == LabelKind::kOutlier) continue;
     if (!cluster_of[l].valid()) {
-      labels.births.push_back({next, scene.detection[l], scene.given_body[l]});
+      labels.births.push_back({next, label.detection, label.given_body});
       cluster_of[l] = next;
       ++next.value;
-    } else if (cluster_of[l] != own) {
-      labels.adoptions.push_back({cluster_of[l], scene.detection[l]});
+    } else if (cluster_of[l] != label.cluster) {
+      labels.adoptions.push_back({cluster_of[l], label.detection});
     }
   }
 }
@@ -222,7 +226,7 @@ void NameLabels(const ClusterMap& map, const LabelScene& scene, std::vector<Clus
 void DropWeakBirths(int min_landmarks, const Window& window, const ClusterMap& map,
                     const std::vector<FramePoint>& points, FrameLabels& labels) {
   std::map<ClusterId, int> members;
-  for (const PointLabel& label : labels.points) ++members[label.assigned.cluster];
+  for (const LandmarkReport& label : labels.points) ++members[label.cluster];
   std::map<ClusterId, ClusterId> renamed;  // to consecutive ids, without dropped births
   std::vector<FrameLabels::Birth> kept;
   for (FrameLabels::Birth birth : labels.births) {
@@ -234,44 +238,21 @@ void DropWeakBirths(int min_landmarks, const Window& window, const ClusterMap& m
   }
   labels.births = kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    PointLabel& label = labels.points[i];
+    LandmarkReport& label = labels.points[i];
     for (ClusterId* id : {&label.inferred, &label.second}) {
       const auto found = renamed.find(*id);
       if (found != renamed.end()) *id = found->second;
     }
-    const auto assigned = renamed.find(label.assigned.cluster);
+    const auto assigned = renamed.find(label.cluster);
     if (assigned == renamed.end()) continue;
-    label.assigned.cluster = assigned->second;
+    label.cluster = assigned->second;
     if (assigned->second.valid()) continue;
     // The birth is dropped: a landmark stays with its previous owner, a new point becomes static.
     const Landmark* landmark = FindLandmark(points[i], window, map);
-    label.assigned =
-        landmark ? LabelState{landmark->label.cluster, 1} : LabelState{kStaticScene, 1};
+    label.cluster = landmark ? landmark->label.cluster : kStaticScene;
+    label.confidence = 1;
   }
 }
-
-int SecondLabel(const EnergyMatrix& total, Eigen::Index node, int decided) {
-  int second = decided == 0 ? 1 : 0;
-  for (int label = 0; label < total.cols(); ++label) {
-    if (label != decided && total(node, label) < total(node, second)) second = label;
-  }
-  return second;
-}
-
-FrameLabels AllStatic(const Window& window, const ClusterMap& map,
-                      const std::vector<FramePoint>& points) {
-  FrameLabels labels;
-  for (const FramePoint& point : points) {
-    const Landmark* landmark = FindLandmark(point, window, map);
-    PointLabel label;
-    label.inferred = kStaticScene;
-    label.assigned = landmark ? landmark->label : LabelState{kStaticScene, 1};
-    labels.points.push_back(label);
-  }
-  return labels;
-}
-
-}  // namespace internal
 
 void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
                      std::vector<ClusterTrack>& tracks) {
@@ -287,6 +268,52 @@ void AdoptDetections(const FrameLabels& labels, const ClusterMap& map,
       if (birth.detection >= 0 && track.detection == birth.detection) track.detection = -1;
     }
   }
+}
+
+FrameLabels LabelPoints(const FrameView& view, const LabelSteps& steps, const Window& window,
+                        const ClusterMap& map, const std::vector<ClusterTrack>& tracks,
+                        const std::vector<FramePoint>& points, CrfMemory& memory) {
+  FrameLabels labels;
+  const auto landmark_of = [&](std::size_t i) { return FindLandmark(points[i], window, map); };
+  if (tracks.empty() && view.shown.detections.empty() && view.shown.feature_body.empty()) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      labels.points.push_back(Unlabelled(view, points[i], landmark_of(i), kStaticScene));
+    }
+    return labels;
+  }
+  const CrfScene scene = BuildCrfScene(view, steps.new_body, window, map, tracks, points);
+  const UnaryEnergies unary = steps.unaries(scene, view.options.unary);
+  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    positions.col(static_cast<Eigen::Index>(i)) = scene.nodes[i].MovingPlace().p_in_camera;
+  }
+  const CrfResult crf =
+      steps.infer(unary.total, positions, view.options.pairwise, memory, FastCrfLoops());
+  const std::vector<int> decided = DecideLabels(view, points, scene, crf);
+  std::vector<ClusterId> cluster_of = ContinueClusters(view, window, map, points, scene, decided);
+  NameLabels(map.next, scene.labels, cluster_of, labels);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Index row = static_cast<Eigen::Index>(i);
+    const Landmark* landmark = landmark_of(i);
+    LandmarkReport label = Unlabelled(view, points[i], landmark, cluster_of[decided[i]]);
+    if (landmark) {
+      LabelState state = landmark->label;
+      const bool is_removed = steps.adopt(label.inferred, state) == LabelOutcome::kRemove;
+      label.cluster = is_removed ? ClusterId{} : state.cluster;
+      label.confidence = state.confidence;
+    }
+    label.energy_2d = unary.box(row, decided[i]);
+    label.energy_3d = unary.affinity(row, decided[i]);
+    label.energy_motion = unary.motion(row, decided[i]);
+    const int second = SecondLabel(unary.total, row, decided[i]);
+    label.second = cluster_of[second];
+    label.second_2d = unary.box(row, second);
+    label.second_3d = unary.affinity(row, second);
+    label.second_motion = unary.motion(row, second);
+    labels.points.push_back(label);
+  }
+  DropWeakBirths(view.options.clusters.min_landmarks, window, map, points, labels);
+  return labels;
 }
 
 }  // namespace cvo

@@ -3,8 +3,10 @@
 #include "core/labelling/landmark_update.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 
+#include "core/bodies/body_boxes.h"
 #include "core/clustering/point_extent.h"
 #include "core/clusters/trace_back.h"
 #include "core/estimation/camera_solver.h"
@@ -20,7 +22,7 @@ Eigen::Matrix3Xd PointsOf(ClusterId id, const FrameView& view,
                           const std::vector<FramePoint>& points, const FrameLabels& labels) {
   std::vector<Eigen::Vector3d> members;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (labels.points[i].assigned.cluster != id) continue;
+    if (labels.points[i].cluster != id) continue;
     const auto p_in_camera = view.camera.BackProject(view.frame.features[points[i].feature].z_px);
     if (p_in_camera) members.push_back(view.world_from_camera * *p_in_camera);
   }
@@ -31,14 +33,13 @@ Eigen::Matrix3Xd PointsOf(ClusterId id, const FrameView& view,
   return columns;
 }
 
-Cluster CreateCluster(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
-                      const FrameLabels::Birth& birth, const Eigen::Matrix3Xd& members,
-                      BirthOriginFunction birth_origin) {
+Cluster CreateCluster(const FrameView& view, const NewBodyRule& new_body, FrameId newest,
+                      const FrameLabels::Birth& birth, const Eigen::Matrix3Xd& members) {
   Cluster cluster;
   cluster.id = birth.id;
   cluster.given_body = birth.given_body;
   cluster.category = kUnknownCategory;
-  const RigidTransform axes = PrincipalAxes(members, options.extent);
+  const RigidTransform axes = PrincipalAxes(members, view.options.extent);
   Eigen::Vector3d origin = axes.translation();
   cluster.last_observed = newest;
   if (birth.detection >= 0) {
@@ -47,8 +48,7 @@ Cluster CreateCluster(const FrameView& view, const BodyCenterOptions& options, F
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    origin = birth_origin(
-        origin, CenterFromBox(view, options.birth_depth, birth.detection, axes.translation()));
+    origin = new_body.origin(origin, CenterFromBox(view, birth.detection, axes.translation()));
   }
   cluster.states.push_back({newest, view.frame.timestamp_ns,
                             RigidTransform(axes.RotationMatrix(), origin),
@@ -58,12 +58,12 @@ Cluster CreateCluster(const FrameView& view, const BodyCenterOptions& options, F
 
 }  // namespace
 
-void CreateClusters(const FrameView& view, const BodyCenterOptions& options, FrameId newest,
+void CreateClusters(const FrameView& view, const NewBodyRule& new_body, FrameId newest,
                     const std::vector<FramePoint>& points, const FrameLabels& labels,
-                    BirthOriginFunction origin, ClusterMap& map) {
+                    ClusterMap& map) {
   for (const FrameLabels::Birth& birth : labels.births) {
-    map.live.push_back(CreateCluster(view, options, newest, birth,
-                                     PointsOf(birth.id, view, points, labels), origin));
+    map.live.push_back(
+        CreateCluster(view, new_body, newest, birth, PointsOf(birth.id, view, points, labels)));
     map.next.value = birth.id.value + 1;
   }
 }
@@ -72,97 +72,51 @@ namespace {
 
 // The static scene, or a cluster that has a pose in the entering frame and can therefore receive
 // landmarks.
-struct ReassignmentTarget {
-  PointOwner owner;
+struct Target {
+  int owner = kSceneOwner;
   RigidTransform world_from_object;
   std::vector<Landmark>* landmarks = nullptr;
-  std::vector<Landmark> arriving;
-  std::vector<char> is_leaving;
-};
-
-class ReassignmentTargets {
- public:
-  ReassignmentTargets(const std::vector<ClusterTrack>& tracks, Window& window, ClusterMap& map) {
-    Add(kStaticScene, kSceneOwner, RigidTransform(), window.landmarks);
-    for (int q = 0; q < static_cast<int>(map.live.size()); ++q) {
-      Cluster& cluster = map.live[q];
-      // Clusters born in this frame have no track; their pose is that of their only state.
-      const bool is_new = q >= static_cast<int>(tracks.size());
-      if (!is_new && !tracks[q].is_tracked) continue;
-      Add(cluster.id, ClusterOwner(q),
-          is_new ? cluster.Latest().world_from_object : tracks[q].world_from_object,
-          cluster.landmarks);
-    }
-  }
-
-  ReassignmentTarget* Find(ClusterId id) {
-    const auto it = targets_.find(id);
-    return it == targets_.end() ? nullptr : &it->second;
-  }
-
-  void ApplyMoves() {
-    for (auto& [id, target] : targets_) {
-      std::vector<Landmark>& landmarks = *target.landmarks;
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < landmarks.size(); ++i) {
-        if (target.is_leaving[i]) continue;
-        if (kept != i) landmarks[kept] = std::move(landmarks[i]);
-        ++kept;
-      }
-      landmarks.resize(kept);
-      for (Landmark& landmark : target.arriving) landmarks.push_back(std::move(landmark));
-      std::sort(landmarks.begin(), landmarks.end(),
-                [](const Landmark& a, const Landmark& b) { return a.id < b.id; });
-    }
-  }
-
- private:
-  void Add(ClusterId id, PointOwner owner, const RigidTransform& pose,
-           std::vector<Landmark>& landmarks) {
-    targets_[id] = {owner, pose, &landmarks, {}, std::vector<char>(landmarks.size(), 0)};
-  }
-
-  std::map<ClusterId, ReassignmentTarget> targets_;
+  std::vector<Landmark> arriving = {};
+  std::vector<char> is_leaving = {};
 };
 
 // Adds the feature as the landmark's observation in the frame.
-void Observe(const FrameView& view, const LandmarkUpdateOptions& options, const WindowFrame& frame,
-             const ReassignmentTarget& target, const StereoFeature& feature, double depth_m,
-             Landmark& landmark) {
+void Observe(const FrameView& view, const WindowFrame& frame, const Target& target,
+             const StereoFeature& feature, double depth_m, Landmark& landmark) {
   // The first observation is the reference itself, hence as accurate as those aligned with it.
   const bool is_aligned =
-      feature.is_aligned || (options.align_patches && landmark.observations.empty());
+      feature.is_aligned || (view.options.tracking.align_patches && landmark.observations.empty());
   landmark.observations.push_back(
       {frame.id, feature.z_px, feature.octave, is_aligned, feature.disagreement_px});
   landmark.descriptor = feature.descriptor;
   landmark.depth_m = std::max(depth_m, StereoCamera::kMinDepth_m);
   landmark.last_octave = feature.octave;
   landmark.last_seen = frame.id;
-  UpdateReference(options.noise.scale_factor, feature, landmark);
+  UpdateReference(view.options.orb.scale_factor, feature, landmark);
   if (target.owner == kSceneOwner) return;
 
   const RigidTransform object_from_camera =
       target.world_from_object.Inverse() * frame.world_from_camera;
   if (IsLeftOnly(feature)) return;
-  const Eigen::Matrix3d in_camera =
-      view.camera.PointCovariance(feature.z_px, options.noise.Covariance(feature.octave));
+  const Eigen::Matrix3d in_camera = view.camera.PointCovariance(
+      feature.z_px, view.options.NoiseOfFeatures().Covariance(feature.octave));
   const double determinant = in_camera.determinant();
   if (determinant >= landmark.covariance.determinant) return;
   const Eigen::Matrix3d R = object_from_camera.RotationMatrix();
   landmark.covariance = {R * in_camera * R.transpose(), determinant};
 }
 
-double DepthIn(const WindowFrame& frame, const ReassignmentTarget& target,
-               const Landmark& landmark) {
+double DepthIn(const WindowFrame& frame, const Target& target, const Landmark& landmark) {
   return (frame.world_from_camera.Inverse() * (target.world_from_object * landmark.p_in_object))
       .z();
 }
 
 // Returns those of the landmark's observations that the target's motion explains.
-std::vector<Observation> Agreeing(const FrameView& view, const FeatureNoise& noise,
-                                  const Window& window, const ClusterMap& map,
-                                  const ReassignmentTarget& target, const Landmark& landmark,
+std::vector<Observation> Agreeing(const FrameView& view, const Window& window,
+                                  const ClusterMap& map, const Target& target,
+                                  const Landmark& landmark,
                                   const std::vector<Observation>& observations) {
+  const FeatureNoise noise = view.options.NoiseOfFeatures();
   std::vector<Observation> agreeing;
   for (const Observation& seen : observations) {
     const WindowFrame* frame = window.Find(seen.frame);
@@ -178,8 +132,7 @@ std::vector<Observation> Agreeing(const FrameView& view, const FeatureNoise& noi
 // Returns the triangulated feature as a landmark of the target, without observations; empty if it
 // cannot be triangulated.
 std::optional<Landmark> MakeLandmark(const FrameView& view, const WindowFrame& frame,
-                                     const ReassignmentTarget& target,
-                                     const StereoFeature& feature) {
+                                     const Target& target, const StereoFeature& feature) {
   const auto p_in_camera = view.camera.BackProject(feature.z_px);
   if (!p_in_camera) return std::nullopt;
   Landmark landmark;
@@ -191,19 +144,25 @@ std::optional<Landmark> MakeLandmark(const FrameView& view, const WindowFrame& f
 // Enters the frame's points into the landmarks of their bodies, one at a time.
 class Updater {
  public:
-  Updater(const FrameView& view, const LandmarkUpdateOptions& options, const WindowFrame& entering,
+  Updater(const FrameView& view, const WindowFrame& entering,
           const std::vector<ClusterTrack>& tracks, Window& window, ClusterMap& map)
-      : view_(view),
-        options_(options),
-        entering_(entering),
-        window_(window),
-        map_(map),
-        targets_(tracks, window, map) {}
+      : view_(view), entering_(entering), window_(window), map_(map) {
+    AddTarget(kStaticScene, {kSceneOwner, RigidTransform(), &window.landmarks});
+    for (int q = 0; q < static_cast<int>(map.live.size()); ++q) {
+      Cluster& cluster = map.live[q];
+      // Clusters born in this frame have no track; their pose is that of their only state.
+      const bool is_new = q >= static_cast<int>(tracks.size());
+      if (!is_new && !tracks[q].is_tracked) continue;
+      const RigidTransform& pose =
+          is_new ? cluster.Latest().world_from_object : tracks[q].world_from_object;
+      AddTarget(cluster.id, {q, pose, &cluster.landmarks});
+    }
+  }
 
   // Creates a landmark for a feature without one. False if the body of its label cannot receive it
   // or the feature cannot be triangulated.
   bool Create(const StereoFeature& feature, const LabelState& label, LandmarkId id) {
-    ReassignmentTarget* to = targets_.Find(label.cluster);
+    Target* to = Find(label.cluster);
     std::optional<Landmark> landmark;
     if (to) landmark = MakeLandmark(view_, entering_, *to, feature);
     if (!landmark) return false;
@@ -214,9 +173,8 @@ class Updater {
   }
 
   void Update(const FramePoint& point, const StereoFeature& feature, const LabelState& label) {
-    const ClusterId owner =
-        point.owner == kSceneOwner ? kStaticScene : map_.live[point.owner.cluster].id;
-    ReassignmentTarget* from = targets_.Find(owner);
+    const ClusterId owner = point.owner < 0 ? kStaticScene : map_.live[point.owner].id;
+    Target* from = Find(owner);
     Require(from != nullptr, "UpdateLandmarks: a cluster without a pose has matches");
     Landmark& landmark = (*from->landmarks)[point.landmark];
     if (label.cluster == owner) {
@@ -224,7 +182,7 @@ class Updater {
     } else {
       // The position of a left-only feature on another body is unknown.
       if (IsLeftOnly(feature)) return;
-      ReassignmentTarget* to = targets_.Find(label.cluster);
+      Target* to = Find(label.cluster);
       // If the new body cannot receive it, the landmark stays; if it belongs to no body, it is
       // removed.
       if (to || !label.cluster.valid()) {
@@ -233,54 +191,74 @@ class Updater {
         return;
       }
     }
-    Observe(view_, options_, entering_, *from, feature, DepthIn(entering_, *from, landmark),
-            landmark);
+    Observe(view_, entering_, *from, feature, DepthIn(entering_, *from, landmark), landmark);
   }
 
-  void ApplyMoves() { targets_.ApplyMoves(); }
+  void ApplyMoves() {
+    for (auto& [id, target] : targets_) {
+      std::vector<Landmark>& landmarks = *target.landmarks;
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < landmarks.size(); ++i) {
+        if (target.is_leaving[i]) continue;
+        if (kept != i) landmarks[kept] = std::move(landmarks[i]);
+        ++kept;
+      }
+      landmarks.resize(kept);
+      std::ranges::move(target.arriving, std::back_inserter(landmarks));
+      std::ranges::sort(landmarks, {}, &Landmark::id);
+    }
+  }
 
  private:
+  void AddTarget(ClusterId id, Target target) {
+    target.is_leaving.resize(target.landmarks->size(), 0);
+    targets_[id] = std::move(target);
+  }
+
+  Target* Find(ClusterId id) {
+    const auto it = targets_.find(id);
+    return it == targets_.end() ? nullptr : &it->second;
+  }
+
   void Move(const Landmark& old, const StereoFeature& feature, const LabelState& label,
-            ReassignmentTarget& to) {
+            Target& to) {
     std::optional<Landmark> moved = MakeLandmark(view_, entering_, to, feature);
     if (!moved) return;
     moved->id = old.id;
     moved->label = label;
     moved->reference = old.reference;
-    moved->observations =
-        Agreeing(view_, options_.noise, window_, map_, to, *moved, old.observations);
+    moved->observations = Agreeing(view_, window_, map_, to, *moved, old.observations);
     Arrive(feature, std::move(*moved), to);
   }
 
-  void Arrive(const StereoFeature& feature, Landmark landmark, ReassignmentTarget& to) {
-    Observe(view_, options_, entering_, to, feature, DepthIn(entering_, to, landmark), landmark);
+  void Arrive(const StereoFeature& feature, Landmark landmark, Target& to) {
+    Observe(view_, entering_, to, feature, DepthIn(entering_, to, landmark), landmark);
     to.arriving.push_back(std::move(landmark));
   }
 
   const FrameView& view_;
-  const LandmarkUpdateOptions& options_;
   const WindowFrame& entering_;
   const Window& window_;
   const ClusterMap& map_;
-  ReassignmentTargets targets_;
+  std::map<ClusterId, Target> targets_;
 };
 
 }  // namespace
 
-int UpdateLandmarks(const FrameView& view, const LandmarkUpdateOptions& options,
-                    const WindowFrame& entering, const std::vector<ClusterTrack>& tracks,
-                    const std::vector<FramePoint>& points, FrameLabels& labels, LandmarkId& next_id,
-                    Window& window, ClusterMap& map) {
-  Updater updater(view, options, entering, tracks, window, map);
+int UpdateLandmarks(const FrameView& view, const WindowFrame& entering,
+                    const std::vector<ClusterTrack>& tracks, const std::vector<FramePoint>& points,
+                    FrameLabels& labels, LandmarkId& next_id, Window& window, ClusterMap& map) {
+  Updater updater(view, entering, tracks, window, map);
   int added = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const StereoFeature& feature = view.frame.features[points[i].feature];
-    const LabelState& assigned = labels.points[i].assigned;
+    LandmarkReport& report = labels.points[i];
+    const LabelState assigned{report.cluster, report.confidence};
     if (const Landmark* landmark = FindLandmark(points[i], window, map)) {
-      labels.points[i].landmark = landmark->id;
+      report.id = landmark->id;
       updater.Update(points[i], feature, assigned);
     } else if (updater.Create(feature, assigned, next_id)) {
-      labels.points[i].landmark = next_id;
+      report.id = next_id;
       ++next_id.value;
       ++added;
     }

@@ -37,7 +37,7 @@ std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
   return indices;
 }
 
-std::vector<FramePoint> CollectPoints(const FrameView& view, double min_disparity_px,
+std::vector<FramePoint> CollectPoints(const FrameView& view,
                                       const std::vector<Match>& static_matches,
                                       const std::vector<ClusterTrack>& tracks) {
   std::vector<FramePoint> by_feature(view.frame.features.size());
@@ -47,7 +47,7 @@ std::vector<FramePoint> CollectPoints(const FrameView& view, double min_disparit
   }
   for (int q = 0; q < static_cast<int>(tracks.size()); ++q) {
     for (const Match& match : tracks[q].matches) {
-      by_feature[match.feature].owner = ClusterOwner(q);
+      by_feature[match.feature].owner = q;
       by_feature[match.feature].landmark = match.landmark;
     }
   }
@@ -57,7 +57,8 @@ std::vector<FramePoint> CollectPoints(const FrameView& view, double min_disparit
     point.feature = i;
     const StereoFeature& feature = view.frame.features[i];
     const bool is_new = point.owner == kNoOwner;
-    const bool is_far = view.camera.Disparity(feature.z_px) < min_disparity_px;
+    const bool is_far =
+        view.camera.Disparity(feature.z_px) < view.options.tracking.min_disparity_px;
     if (is_new && (is_far || IsLeftOnly(feature))) continue;
     const bool is_wanted = !feature.is_reserve || IsDetected(view.shown.detections, feature) ||
                            IsExpected(tracks, feature);
@@ -70,12 +71,12 @@ std::vector<FramePoint> CollectPoints(const FrameView& view, double min_disparit
 const Landmark* FindLandmark(const FramePoint& point, const Window& window, const ClusterMap& map) {
   if (point.owner == kNoOwner) return nullptr;
   if (point.owner == kSceneOwner) return &window.landmarks[point.landmark];
-  return &map.live[point.owner.cluster].landmarks[point.landmark];
+  return &map.live[point.owner].landmarks[point.landmark];
 }
 
-std::optional<RigidTransform> OwnerPose(PointOwner owner, FrameId frame, const ClusterMap& map) {
+std::optional<RigidTransform> OwnerPose(int owner, FrameId frame, const ClusterMap& map) {
   if (owner == kSceneOwner) return RigidTransform();
-  const ClusterState* state = FindState(map.live[owner.cluster], frame);
+  const ClusterState* state = FindState(map.live[owner], frame);
   if (!state) return std::nullopt;
   return state->world_from_object;
 }
@@ -96,11 +97,7 @@ struct OpenBox {
 double Fill(const ImageBox& box, const std::vector<int>& body, const std::vector<CrfNode>& nodes) {
   const Eigen::Vector3d& first = nodes[body.front()].z_px;
   ImageBox spread{first[0], first[1], first[0], first[1]};
-  for (const int i : body) {
-    const Eigen::Vector3d& z_px = nodes[i].z_px;
-    spread = {std::min(spread.left_px, z_px[0]), std::min(spread.top_px, z_px[1]),
-              std::max(spread.right_px, z_px[0]), std::max(spread.bottom_px, z_px[1])};
-  }
+  for (const int i : body) Include(nodes[i].z_px[0], nodes[i].z_px[1], spread);
   return IntersectionOverUnion(spread, box);
 }
 
@@ -114,8 +111,9 @@ std::vector<OpenBox> OpenBoxes(const FrameView& view, const std::vector<char>& i
   return open;
 }
 
-void ChooseBody(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
-                const std::vector<char>& is_taken, OpenBox& box) {
+void ChooseBody(const NewBodyRule& rule, const ExtentOptions& options,
+                const std::vector<CrfNode>& nodes, const std::vector<char>& is_taken,
+                OpenBox& box) {
   std::vector<int> inside;
   std::vector<double> depths;
   for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
@@ -123,8 +121,7 @@ void ChooseBody(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
     inside.push_back(i);
     depths.push_back(nodes[i].p_in_camera.z());
   }
-  std::vector<std::vector<int>> candidates =
-      step.rule.candidates(depths, box.angular_size, step.extent);
+  std::vector<std::vector<int>> candidates = rule.candidates(depths, box.angular_size, options);
   std::vector<double> fills;
   for (std::vector<int>& body : candidates) {
     for (int& k : body) k = inside[k];
@@ -133,7 +130,7 @@ void ChooseBody(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
   box.body.clear();
   box.fill = 0.0;
   if (candidates.empty()) return;
-  const double least = step.extent.kModeMinFill * *std::max_element(fills.begin(), fills.end());
+  const double least = options.kModeMinFill * *std::max_element(fills.begin(), fills.end());
   const auto chosen =
       std::find_if(fills.begin(), fills.end(), [least](double fill) { return fill >= least; });
   box.body = std::move(candidates[static_cast<std::size_t>(chosen - fills.begin())]);
@@ -142,8 +139,9 @@ void ChooseBody(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
 
 // Resolves shared points: processes the boxes in the order of how well their points fill them, and
 // lets each later box that shares points with an earlier one choose anew without them.
-void ShareOut(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
-              std::vector<char> is_taken, std::vector<OpenBox>& open) {
+void ShareOut(const NewBodyRule& rule, const ExtentOptions& options,
+              const std::vector<CrfNode>& nodes, std::vector<char> is_taken,
+              std::vector<OpenBox>& open) {
   for (auto next = open.begin(); next != open.end(); ++next) {
     std::iter_swap(next, std::max_element(next, open.end(), [](const OpenBox& a, const OpenBox& b) {
                      return a.fill < b.fill;
@@ -152,7 +150,7 @@ void ShareOut(const NewBodyStep& step, const std::vector<CrfNode>& nodes,
     for (auto other = next + 1; other != open.end(); ++other) {
       const bool loses = std::any_of(other->body.begin(), other->body.end(),
                                      [&](int i) { return is_taken[i] != 0; });
-      if (loses) ChooseBody(step, nodes, is_taken, *other);
+      if (loses) ChooseBody(rule, options, nodes, is_taken, *other);
     }
   }
 }
@@ -169,8 +167,8 @@ CrfLabel::Extent ExtentOf(const std::vector<int>& body, const std::vector<CrfNod
 
 }  // namespace
 
-std::vector<std::vector<int>> AllDepths::Candidates(const std::vector<double>& depths_m, double,
-                                                    const ExtentOptions& options) {
+std::vector<std::vector<int>> BodiesOfAllPoints::Candidates(const std::vector<double>& depths_m,
+                                                            double, const ExtentOptions& options) {
   if (static_cast<int>(depths_m.size()) < options.kModeMinPoints) return {};
   std::vector<int> all(depths_m.size());
   std::iota(all.begin(), all.end(), 0);
@@ -178,20 +176,21 @@ std::vector<std::vector<int>> AllDepths::Candidates(const std::vector<double>& d
 }
 
 std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view,
-                                                           const NewBodyStep& step,
+                                                           const NewBodyRule& rule,
                                                            const std::vector<char>& is_claimed,
                                                            const std::vector<FramePoint>& points,
                                                            const std::vector<CrfNode>& nodes) {
+  const ExtentOptions& options = view.options.extent;
   std::vector<char> is_taken;
   for (const FramePoint& point : points) {
-    is_taken.push_back(point.owner.kind == PointOwner::Kind::kCluster);
+    is_taken.push_back(point.owner >= 0);
   }
   std::vector<OpenBox> open = OpenBoxes(view, is_claimed);
-  for (OpenBox& box : open) ChooseBody(step, nodes, is_taken, box);
-  if (!step.rule.shares_points) ShareOut(step, nodes, is_taken, open);
+  for (OpenBox& box : open) ChooseBody(rule, options, nodes, is_taken, box);
+  if (!rule.shares_points) ShareOut(rule, options, nodes, is_taken, open);
   std::vector<std::optional<CrfLabel::Extent>> bodies(is_claimed.size());
   for (const OpenBox& box : open) {
-    if (!box.body.empty()) bodies[box.detection] = ExtentOf(box.body, nodes, step.extent);
+    if (!box.body.empty()) bodies[box.detection] = ExtentOf(box.body, nodes, options);
   }
   return bodies;
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <concepts>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,23 +14,14 @@
 
 namespace cvo {
 
-// Owner of a point's landmark: none yet, the static scene (window.landmarks) or a live cluster
-// (map.live[cluster].landmarks).
-struct PointOwner {
-  enum class Kind { kUnassigned, kScene, kCluster };
-  Kind kind = Kind::kUnassigned;
-  int cluster = -1;
-
-  friend constexpr bool operator==(const PointOwner&, const PointOwner&) = default;
-};
-inline constexpr PointOwner kNoOwner{};
-inline constexpr PointOwner kSceneOwner{PointOwner::Kind::kScene, -1};
-constexpr PointOwner ClusterOwner(int cluster) { return {PointOwner::Kind::kCluster, cluster}; }
+// Owner of a landmark: an index into map.live, or one of these.
+inline constexpr int kNoOwner = -2;
+inline constexpr int kSceneOwner = -1;  // the static scene: window.landmarks
 
 // A feature of the current frame and the landmark that it observes.
 struct FramePoint {
   int feature = 0;
-  PointOwner owner;
+  int owner = kNoOwner;
   int landmark = -1;  // index into the owner's landmarks
 };
 
@@ -43,9 +33,9 @@ std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
 
 // Returns, in the order of the features, all that are matched with the static scene or with
 // clusters, and all new ones that may become landmarks: those found in the right image with a
-// disparity of at least min_disparity_px; of the reserve, only those inside a detection or the
-// expected box of a cluster.
-std::vector<FramePoint> CollectPoints(const FrameView& view, double min_disparity_px,
+// disparity of at least tracking.min_disparity_px; of the reserve, only those inside a detection or
+// the expected box of a cluster.
+std::vector<FramePoint> CollectPoints(const FrameView& view,
                                       const std::vector<Match>& static_matches,
                                       const std::vector<ClusterTrack>& tracks);
 
@@ -54,50 +44,48 @@ const Landmark* FindLandmark(const FramePoint& point, const Window& window, cons
 
 // Returns world_from_object of the owner in a frame of the window: the identity for the static
 // scene, empty for a cluster without a state in that frame.
-std::optional<RigidTransform> OwnerPose(PointOwner owner, FrameId frame, const ClusterMap& map);
+std::optional<RigidTransform> OwnerPose(int owner, FrameId frame, const ClusterMap& map);
 
-// Which of the points in a box that no cluster claims may be the body: candidate sets of points by
-// depth, in order of preference. kSharesPoints: whether the bodies of two boxes may share points.
-template <typename Policy>
-concept NewBodyPolicy = requires(const std::vector<double>& depths_m, double angular_size,
-                                 const ExtentOptions& options) {
-  {
-    Policy::Candidates(depths_m, angular_size, options)
-    } -> std::same_as<std::vector<std::vector<int>>>;
-  { Policy::kSharesPoints } -> std::convertible_to<bool>;
-};
+// Policies for which of the points in a box that no cluster claims may be the body: candidate sets
+// of points by depth, in order of preference; and for where the object frame of a new cluster has
+// its origin, given the centre (median) of its points and the centre estimated from its box, both
+// in world. kSharesPoints: whether the bodies of two boxes may share points.
 
-// Policy: the dense ranges of depths, nearest first.
-struct NearestDepths {
+// Policy: the dense ranges of depths, nearest first; the origin on the ray through the centre of
+// the box, behind the visible surface (METHOD.md 6.1, clusters.birth_depth).
+struct BodiesByDepth {
   static constexpr bool kSharesPoints = false;
   static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m,
                                                   double angular_size,
                                                   const ExtentOptions& options) {
     return DepthModes(depths_m, angular_size, options);
   }
+  static Eigen::Vector3d Origin(const Eigen::Vector3d&, const Eigen::Vector3d& box_center) {
+    return box_center;
+  }
 };
-// Policy: all points, if there are at least extent.mode_min_points.
-struct AllDepths {
+// Policy: the paper's, all points, if there are at least ExtentOptions::kModeMinPoints; the origin
+// at their centre, on the visible surface.
+struct BodiesOfAllPoints {
   static constexpr bool kSharesPoints = true;
   static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m, double,
                                                   const ExtentOptions& options);
+  static Eigen::Vector3d Origin(const Eigen::Vector3d& centroid, const Eigen::Vector3d&) {
+    return centroid;
+  }
 };
 
-// A NewBodyPolicy as an argument of FindNewBodies.
+// One of these policies.
 struct NewBodyRule {
   std::vector<std::vector<int>> (*candidates)(const std::vector<double>&, double,
                                               const ExtentOptions&);
   bool shares_points;
+  Eigen::Vector3d (*origin)(const Eigen::Vector3d& centroid, const Eigen::Vector3d& box_center);
 };
-template <NewBodyPolicy Policy>
+template <typename Policy>
 constexpr NewBodyRule RuleOf() {
-  return {&Policy::Candidates, Policy::kSharesPoints};
+  return {&Policy::Candidates, Policy::kSharesPoints, &Policy::Origin};
 }
-
-struct NewBodyStep {
-  NewBodyRule rule;
-  ExtentOptions extent;
-};
 
 // Returns for each detection the extent of the body in it, from those of its points that belong to
 // no cluster (METHOD.md 6.2). The body is the first candidate that is spread over enough of the box
@@ -105,7 +93,7 @@ struct NewBodyStep {
 // Empty for detections that a cluster claims or that have no candidate. `nodes` has one entry per
 // point.
 std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view,
-                                                           const NewBodyStep& step,
+                                                           const NewBodyRule& rule,
                                                            const std::vector<char>& is_claimed,
                                                            const std::vector<FramePoint>& points,
                                                            const std::vector<CrfNode>& nodes);

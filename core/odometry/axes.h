@@ -2,62 +2,67 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/association/box_association.h"
-#include "core/association/matching.h"
-#include "core/clustering/dense_crf.h"
-#include "core/clustering/unary_terms.h"
+#include <memory>
+#include <tuple>
+
+#include "core/base/task_pool.h"
 #include "core/clusters/cluster_association.h"
-#include "core/clusters/cluster_map.h"
+#include "core/clusters/cluster_optimization.h"
 #include "core/clusters/identity.h"
 #include "core/estimation/double_track.h"
 #include "core/estimation/motion_extrapolation.h"
+#include "core/interface/frame.h"
 #include "core/labelling/cluster_labels.h"
-#include "core/labelling/landmark_update.h"
 #include "core/odometry/cluster_update.h"
-#include "core/solvers/motion_prior.h"
-#include "core/solvers/schur_solver.h"
 
 namespace cvo {
 
-template <typename Policy>
-concept NewBodyAndOriginPolicy = NewBodyPolicy<Policy> && BirthOriginPolicy<Policy>;
+// The axes along which variants differ. Two variants with the same axes are the same estimator,
+// whatever their options. A variant that lacks an axis does not compile.
+template <typename V>
+using AxesOf =
+    std::tuple<typename V::Detections, typename V::LandmarkAssociation, typename V::Boxes,
+               typename V::BoxRematch, typename V::Identity, typename V::BoxTerm,
+               typename V::AffinityTerm, typename V::MotionTerm, typename V::NewBody,
+               typename V::Pairwise, typename V::Confidence, typename V::BodyMotion,
+               typename V::Outliers, typename V::Frames, typename V::Solver>;
 
-// The axes along which variants differ, with the concept that each one requires of its policy. Two
-// variants with the same axes are the same type of estimator, whatever their options.
-template <DetectionPolicy D, LandmarkAssociationPolicy LA, BoxPolicy B, BoxRematchPolicy BR,
-          IdentityPolicy I, UnaryTerm BT, UnaryTerm AT, UnaryTerm MT, NewBodyAndOriginPolicy NB,
-          PairwisePolicy P, ConfidencePolicy C, BodyMotionPolicy BM, OutlierPolicy O, FramePolicy F,
-          SolverPolicy S>
-struct Axes {
-  using Detections = D;
-  using LandmarkAssociation = LA;
-  using Boxes = B;
-  using BoxRematch = BR;
-  using Identity = I;
-  using BoxTerm = BT;
-  using AffinityTerm = AT;
-  using MotionTerm = MT;
-  using NewBody = NB;
-  using Pairwise = P;
-  using Confidence = C;
-  using BodyMotion = BM;
-  using Outliers = O;
-  using Frames = F;
-  using Solver = S;
+// The functions of a variant's policies, in the order in which a frame needs them.
+struct Steps {
+  ShownBodies (*show)(const StereoFrame&);
+  AssociationSteps association;
+  Extrapolation* extrapolate;
+  LabelSteps labels;
+  void (*advance)(const Options&, const WindowFrame&, Window&);  // DoubleTrack
+  EnergySteps energy;
+  void (*update_identity)(const IdentityStep&, ClusterMap&, Rng&);
 };
 
-// Collects the policies that a variant names. A variant that lacks an axis, or names a policy that
-// does not satisfy the concept of its axis, does not compile.
+// A variant that names a policy which lacks a function of its axis does not compile.
 template <typename V>
-using AxesOf = Axes<typename V::Detections, typename V::LandmarkAssociation, typename V::Boxes,
-                    typename V::BoxRematch, typename V::Identity, typename V::BoxTerm,
-                    typename V::AffinityTerm, typename V::MotionTerm, typename V::NewBody,
-                    typename V::Pairwise, typename V::Confidence, typename V::BodyMotion,
-                    typename V::Outliers, typename V::Frames, typename V::Solver>;
+constexpr Steps StepsOf() {
+  using Boxes = typename V::Boxes;
+  using Motion = typename V::BodyMotion;
+  return {
+      .show = &V::Detections::Show,
+      .association = {&V::LandmarkAssociation::Find, &Boxes::Compute, &Boxes::Cost,
+                      Boxes::kComparesClasses, &V::BoxRematch::Rematch},
+      .extrapolate = &Extrapolate<Motion, Motion>,
+      .labels =
+          {&ComputeUnaries<typename V::BoxTerm, typename V::AffinityTerm, typename V::MotionTerm>,
+           &InferDenseCrf<typename V::Pairwise>, &V::Confidence::Update,
+           RuleOf<typename V::NewBody>()},
+      .advance =
+          [](const Options& options, const WindowFrame& entering, Window& window) {
+            DoubleTrack<typename V::Frames>(options.window, options.NoiseOfFeatures())
+                .Advance(entering, window);
+          },
+      .energy = {&StepsOfPrior<Motion>, &V::Outliers::Gate, &V::Solver::Solve, &V::Solver::Solve},
+      .update_identity = &V::Identity::Update};
+}
 
-template <typename V>
-concept EstimatorVariant = requires {
-  typename AxesOf<V>;
-};
+// Makes the estimator with these steps. `pool` must outlive it.
+std::unique_ptr<Odometry> MakeOdometry(const Steps& steps, const OdometrySetup& setup,
+                                       TaskPool& pool);
 
 }  // namespace cvo

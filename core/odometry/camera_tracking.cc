@@ -60,7 +60,7 @@ Visible ProjectLandmarks(const OrbOptions& options, const Window& window,
 
 // Projects the landmarks with this camera pose and matches them with features nearby. Landmark
 // indices of the matches are into window.landmarks.
-std::vector<Match> SearchAround(const CameraTrackingOptions& options, const Window& window,
+std::vector<Match> SearchAround(const Options& options, const Window& window,
                                 const FeatureGrid& grid, const RigidTransform& world_from_camera,
                                 double radius_px) {
   const Visible visible = ProjectLandmarks(options.orb, window, world_from_camera);
@@ -71,7 +71,7 @@ std::vector<Match> SearchAround(const CameraTrackingOptions& options, const Wind
 }
 
 // If more than half of the matches are outliers, the search was in the wrong place.
-bool IsInDoubt(const CameraTrackingOptions& options, const std::vector<Match>& matches,
+bool IsInDoubt(const Options& options, const std::vector<Match>& matches,
                const CameraSolution& solution, const ExpectedCamera& expected) {
   return !expected.has_motion || solution.inliers < options.tracking.min_inliers ||
          solution.inliers < static_cast<int>(matches.size()) / 2;
@@ -79,16 +79,16 @@ bool IsInDoubt(const CameraTrackingOptions& options, const std::vector<Match>& m
 
 // Solves for the camera around each candidate pose, and returns the solution whose inliers cover
 // most of the image, weighted by the share of inliers among the landmarks matched there.
-RigidTransform BestCovering(const CameraTrackingOptions& options, const Window& window,
-                            const FeatureGrid& grid, std::span<const RigidTransform> candidates) {
+RigidTransform BestCovering(const Options& options, const Window& window, const FeatureGrid& grid,
+                            std::span<const RigidTransform> candidates) {
   RigidTransform best = candidates.front();
   double most = 0.0;
   for (const RigidTransform& candidate : candidates) {
     const std::vector<PointMeasurement> measurements = MeasurementsOf(
-        options.noise, window.landmarks, grid.features(),
+        options.NoiseOfFeatures(), window.landmarks, grid.features(),
         SearchAround(options, window, grid, candidate, options.matching.narrow_radius_px));
     const CameraSolution solution =
-        SolveCamera(window.camera, measurements, candidate, options.noise.options);
+        SolveCamera(window.camera, measurements, candidate, options.noise);
     const double share = solution.inliers / std::max(1.0, static_cast<double>(measurements.size()));
     const double covered = share * CoveredCells(window.camera, measurements, solution.is_inlier);
     if (covered <= most) continue;
@@ -98,9 +98,8 @@ RigidTransform BestCovering(const CameraTrackingOptions& options, const Window& 
   return best;
 }
 
-std::optional<RigidTransform> FindWithoutPrediction(const CameraTrackingOptions& options,
-                                                    const Window& window, const FeatureGrid& grid,
-                                                    Rng& rng) {
+std::optional<RigidTransform> FindWithoutPrediction(const Options& options, const Window& window,
+                                                    const FeatureGrid& grid, Rng& rng) {
   std::vector<Descriptor> descriptors;
   std::vector<int> landmark;
   const FrameId newest = window.temporal.back().id;
@@ -115,8 +114,9 @@ std::optional<RigidTransform> FindWithoutPrediction(const CameraTrackingOptions&
                        options.tracking.kRecoveryRatio);
   for (Match& match : matches) match.landmark = landmark[match.landmark];
   const auto solution = SolveCameraRansac(
-      window.camera, MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
-      options.noise.options, CoveredCells, options.tracking.kRecoveryIterations,
+      window.camera,
+      MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
+      options.noise, CoveredCells, options.tracking.kRecoveryIterations,
       options.tracking.min_inliers, rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;
@@ -131,26 +131,28 @@ std::vector<Match> Inliers(const std::vector<Match>& matches, const CameraSoluti
 }
 
 // For a given camera pose: matches the landmarks that agree with it.
-CameraTrack MatchAround(const CameraTrackingOptions& options, const Window& window,
-                        const FeatureGrid& grid, const RigidTransform& world_from_camera) {
+CameraTrack MatchAround(const Options& options, const Window& window, const FeatureGrid& grid,
+                        const RigidTransform& world_from_camera) {
   const std::vector<Match> matches =
       SearchAround(options, window, grid, world_from_camera, options.matching.narrow_radius_px);
   const CameraSolution agreeing = ClassifyMeasurements(
-      window.camera, MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
-      world_from_camera, options.noise.options.gate);
+      window.camera,
+      MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
+      world_from_camera, options.noise.gate);
   return {world_from_camera, Inliers(matches, agreeing), static_cast<int>(matches.size())};
 }
 
 }  // namespace
 
-std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, const Window& window,
+std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const ExpectedCamera& expected, Rng& rng) {
   if (expected.is_given) return MatchAround(options, window, grid, expected.world_from_camera);
   const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
-    return SolveCamera(window.camera,
-                       MeasurementsOf(options.noise, window.landmarks, grid.features(), matches),
-                       initial, options.noise.options);
+    return SolveCamera(
+        window.camera,
+        MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
+        initial, options.noise);
   };
   const std::vector<Match> wide = SearchAround(options, window, grid, expected.world_from_camera,
                                                options.matching.wide_radius_px);

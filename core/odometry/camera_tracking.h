@@ -10,11 +10,9 @@
 #include "core/association/matching.h"
 #include "core/base/rng.h"
 #include "core/estimation/window.h"
-#include "core/features/options.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
-#include "core/interface/cluster_options.h"
-#include "core/solvers/reprojection_cost.h"
+#include "core/interface/options.h"
 
 namespace cvo {
 
@@ -33,14 +31,6 @@ class MotionModel {
   RigidTransform world_from_camera_;
   // [rotation, translation] of previous_camera_from_camera, per second.
   Vector6d velocity_ = Vector6d::Zero();
-};
-
-// Options that camera tracking reads.
-struct CameraTrackingOptions {
-  FeatureNoise noise;
-  OrbOptions orb;
-  MatchingOptions matching;
-  TrackingOptions tracking;
 };
 
 struct CameraTrack {
@@ -63,7 +53,7 @@ struct ExpectedCamera {
 // second search, the first solution competes with the expected camera and, if it is in doubt, with
 // one found from descriptors alone (METHOD.md 3.3). Empty if fewer than tracking.min_inliers
 // landmarks agree.
-std::optional<CameraTrack> TrackCamera(const CameraTrackingOptions& options, const Window& window,
+std::optional<CameraTrack> TrackCamera(const Options& options, const Window& window,
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const ExpectedCamera& expected, Rng& rng);
 

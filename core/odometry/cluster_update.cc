@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/clustering/point_extent.h"
 #include "core/estimation/camera_solver.h"
+#include "core/estimation/double_track.h"
 
 namespace cvo {
 
@@ -16,19 +16,17 @@ namespace {
 // (METHOD.md 8.1).
 constexpr int kMinObserved = 3;
 
-void CopyFrames(const WindowProblem& problem, Window& window) {
+// Writes the solution back to the window: camera, frames, and the positions of `landmarks`, from
+// which the problem was made. Removes observations whose squared whitened error exceeds `gate`,
+// then landmarks without observations. Returns the RMS whitened error of the remaining
+// observations.
+double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
+                     Window& window) {
+  window.camera = problem.camera;
   std::size_t i = 0;
   for (std::vector<WindowFrame>* track : {&window.spatial, &window.temporal}) {
     for (WindowFrame& frame : *track) frame.world_from_camera = problem.world_from_camera[i++];
   }
-}
-
-}  // namespace
-
-double ApplySolution(double gate, const WindowProblem& problem, const std::vector<int>& landmarks,
-                     Window& window) {
-  window.camera = problem.camera;
-  CopyFrames(problem, window);
   std::vector<RigidTransform> camera_from_world;
   for (const RigidTransform& pose : problem.world_from_camera) {
     camera_from_world.push_back(pose.Inverse());
@@ -54,6 +52,35 @@ double ApplySolution(double gate, const WindowProblem& problem, const std::vecto
   }
   window.RemoveUnobserved();
   return count > 0 ? std::sqrt(sum / count) : 0.0;
+}
+
+}  // namespace
+
+void OptimizeWindow(const Options& options, const EnergySteps& steps, const RowField& rows,
+                    Window& window, FrameReport& report) {
+  const NoiseOptions& noise = options.noise;
+  WindowProblem problem = MakeFrames(window);
+  const std::vector<const WindowFrame*> frames = window.Frames();
+  for (std::size_t i = 0; i < problem.frames.size(); ++i) {
+    problem.is_fixed[i] = i == 0 || frames[i]->is_given;
+  }
+  problem.is_right_field_fixed = TrustsCalibration(noise);
+  if (!problem.is_right_field_fixed) {
+    AppendRowEvidence(rows, window.camera, noise.row_field_px, problem.prior);
+  }
+  const std::vector<int> landmarks = SelectLandmarks(window, options.solver.max_points);
+  for (const int i : landmarks) {
+    AddLandmark(window.landmarks[i], options.NoiseOfFeatures(), problem);
+  }
+  report.window_landmarks = static_cast<int>(landmarks.size());
+  if (!landmarks.empty()) {
+    const SolverSummary summary = steps.solve_window(noise, options.solver, problem);
+    report.window_iterations = summary.iterations;
+    report.window_endings.Count(summary.ending);
+    report.calibration.information = summary.shared_information;
+    report.mean_error_px = ApplySolution(steps.gate(noise), problem, landmarks, window);
+  }
+  report.calibration.right_field_px = window.camera.right_field_px;
 }
 
 namespace {
@@ -137,32 +164,6 @@ std::vector<ClusterReport> RecordClusters(const ClusterOptions& options, FrameId
     if (IsConfirmed(cluster, options)) confirmed.push_back(std::move(reports[q]));
   }
   return confirmed;
-}
-
-std::vector<LandmarkReport> ReportLandmarks(const FrameView& view,
-                                            const std::vector<FramePoint>& points,
-                                            const FrameLabels& labels) {
-  std::vector<LandmarkReport> reports;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const PointLabel& label = labels.points[i];
-    LandmarkReport report;
-    report.id = label.landmark;
-    report.feature = points[i].feature;
-    report.cluster = label.assigned.cluster;
-    report.inferred = label.inferred;
-    report.confidence = label.assigned.confidence;
-    const auto p_in_camera = view.camera.BackProject(view.frame.features[points[i].feature].z_px);
-    if (p_in_camera) report.p_in_world = view.world_from_camera * *p_in_camera;
-    report.energy_2d = label.energy_2d;
-    report.energy_3d = label.energy_3d;
-    report.energy_motion = label.energy_motion;
-    report.second = label.second;
-    report.second_2d = label.second_2d;
-    report.second_3d = label.second_3d;
-    report.second_motion = label.second_motion;
-    reports.push_back(report);
-  }
-  return reports;
 }
 
 }  // namespace cvo

@@ -4,40 +4,12 @@
 
 #include <array>
 
-#include "core/base/error.h"
 #include "core/solvers/motion_prior.h"
 #include "core/solvers/schur_solver.h"
 
 namespace cvo {
 
 namespace {
-
-void CheckFrames(const ClusterProblem& problem) {
-  const std::size_t n = problem.time_s.size();
-  Require(n > 0, "ClusterProblem: no frames");
-  Require(problem.world_from_camera.size() == n && problem.world_from_object.size() == n &&
-              problem.velocity_m_s.size() == n,
-          "ClusterProblem: arrays by frame differ in length");
-  for (std::size_t i = 1; i < n; ++i) {
-    Require(problem.time_s[i] > problem.time_s[i - 1], "ClusterProblem: time_s does not increase");
-  }
-}
-
-void CheckPoints(const ClusterProblem& problem) {
-  Require(problem.point_priors.size() == problem.points.size(),
-          "ClusterProblem: points and their priors differ in number");
-}
-
-void CheckSteps(const MotionPriorSteps& steps, const ClusterProblem& problem) {
-  const std::vector<double>& densities = steps.power_densities;
-  Require(densities.empty() || densities.size() + 1 == problem.time_s.size(),
-          "SolveCluster: one power density per step");
-  for (const double q : densities) Require(q > 0.0, "SolveCluster: q must be positive");
-  const std::vector<double>& turns = steps.turn_densities;
-  Require(turns.empty() || turns.size() + 2 == problem.time_s.size(),
-          "SolveCluster: one turn density per change of angular velocity");
-  for (const double q : turns) Require(q > 0.0, "SolveCluster: q of turns must be positive");
-}
 
 struct ClusterVariables {
   std::vector<RigidTransform> world_from_object;
@@ -213,9 +185,6 @@ void DifferentiatePositions(ClusterProblem& problem) {
 
 SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& options,
                                 const MotionPriorSteps& steps, ClusterProblem& problem) {
-  CheckFrames(problem);
-  CheckPoints(problem);
-  CheckSteps(steps, problem);
   ClusterModel model(noise, steps, problem);
   SchurEquations equations(model.pose_of_frame(), model.others(), problem.points.size(),
                            problem.factors);

@@ -44,9 +44,7 @@ struct MotionPriorSteps {
 };
 
 // Minimises a cluster's energy in place (section 3.3 of the paper, dynamic clusters) over all poses
-// but the oldest, the velocities and the points. With a single frame, only the points move. Throws
-// Error if array sizes are inconsistent, factors are not sorted, times do not increase, or a
-// density is not positive.
+// but the oldest, the velocities and the points. With a single frame, only the points move.
 SolverSummary SolveClusterSteps(const NoiseOptions& noise, const SolverOptions& options,
                                 const MotionPriorSteps& steps, ClusterProblem& problem);
 

@@ -2,17 +2,78 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <concepts>
-#include <span>
+#include <vector>
 
 #include "core/solvers/cluster_solver.h"
 #include "core/solvers/reprojection_cost.h"
-#include "core/solvers/schur_equations.h"
 #include "core/solvers/window_solver.h"
 
 namespace cvo {
+
+using Matrix63d = Eigen::Matrix<double, 6, 3>;
+using Matrix36d = Eigen::Matrix<double, 3, 6>;
+
+// Coupling of a point to a free pose by an observation: d^2 E / (d pose d point) = G^T M with
+// G = [[lever]_x, -I], where `lever` is the vector from the pose's origin to the point, in world
+// axes.
+struct PoseCoupling {
+  int pose = 0;
+  Eigen::Vector3d lever = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
+};
+
+// Returns G^T A for the G of PoseCoupling.
+inline Matrix63d LeverTransposeTimes(const Eigen::Vector3d& lever, const Eigen::Matrix3d& A) {
+  Matrix63d product;
+  for (int k = 0; k < 3; ++k) {
+    product(0, k) = A(1, k) * lever.z() - A(2, k) * lever.y();
+    product(1, k) = A(2, k) * lever.x() - A(0, k) * lever.z();
+    product(2, k) = A(0, k) * lever.y() - A(1, k) * lever.x();
+    product(3, k) = -A(0, k);
+    product(4, k) = -A(1, k);
+    product(5, k) = -A(2, k);
+  }
+  return product;
+}
+
+struct PointEquations {
+  Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  Matrix36d by_shared = Matrix36d::Zero();  // d^2 E / (d point d shared variables)
+};
+
+// Normal equations H dx = -g of an energy over poses (tangent: rotation about world axes applied
+// from the left, then translation), a few other variables, and many points. A point is coupled only
+// to poses and, if `points_see_shared`, to the first kShared of the other variables.
+struct SchurEquations {
+  static constexpr int kShared = 6;
+
+  // Observations must be sorted by point, then by ascending pose. `pose_of_frame` is -1 for a pose
+  // that is held fixed.
+  SchurEquations(const std::vector<int>& pose_of_frame, int others, std::size_t point_count,
+                 const std::vector<ReprojectionFactor>& factors);
+  void SetZero();
+  double LargestGradient() const;
+  int others_begin() const { return 6 * static_cast<int>(pose_H.size()); }
+
+  std::vector<Matrix6d> pose_H;  // per pose: block from the observations
+  Eigen::MatrixXd H;             // all other terms in poses and others; lower triangle
+  Eigen::VectorXd g;
+  std::vector<PointEquations> points;
+  std::vector<PoseCoupling> couplings;  // sorted by point, then by ascending pose
+  std::vector<int> couplings_begin;     // per point, plus the end of the last
+  bool points_see_shared = false;
+};
+
+struct SchurStep {
+  Eigen::VectorXd reduced;  // poses, then others
+  std::vector<Eigen::Vector3d> points;
+  double expected_decrease = 0.0;  // of the energy, by the undamped quadratic model
+  double norm = 0.0;
+};
 
 // A frame of the static window in the form that the inner loops need. Points are in the world and
 // move against the camera. With B = d r / d (point in world axes),
@@ -281,16 +342,8 @@ SolverSummary MinimizeEnergy(const SolverOptions& options, SchurEquations& equat
   return summary;
 }
 
-// Minimises the energies of windows in place.
-template <typename Policy>
-concept SolverPolicy = requires(const NoiseOptions& noise, const SolverOptions& options,
-                                const MotionPriorSteps& steps, WindowProblem& window,
-                                ClusterProblem& cluster) {
-  { Policy::Solve(noise, options, window) } -> std::same_as<SolverSummary>;
-  { Policy::Solve(noise, options, steps, cluster) } -> std::same_as<SolverSummary>;
-};
-
-// Policy: our own Schur complement solver (METHOD.md 7.5).
+// Policy that minimises the energies of windows in place: our own Schur complement solver
+// (METHOD.md 7.5).
 struct OwnSchur {
   static SolverSummary Solve(const NoiseOptions& noise, const SolverOptions& options,
                              WindowProblem& problem) {
@@ -303,7 +356,7 @@ struct OwnSchur {
 };
 
 // Minimises a cluster's energy in place, with the motion prior of a policy.
-template <MotionPriorPolicy MotionPrior, SolverPolicy Solver = OwnSchur>
+template <MotionPriorPolicy MotionPrior, typename Solver = OwnSchur>
 SolverSummary SolveCluster(const NoiseOptions& noise, const SolverOptions& options,
                            const MotionPriorOptions& motion, ClusterProblem& problem) {
   return Solver::Solve(noise, options, StepsOfPrior<MotionPrior>(motion, problem), problem);

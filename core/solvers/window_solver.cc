@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/solvers/schur_equations.h"
 #include "core/solvers/schur_solver.h"
 
 namespace cvo {
@@ -19,6 +18,85 @@ WindowPrior CalibrationPrior(const StereoCamera& camera, const Vector6d& deviati
 }
 
 namespace {
+
+// Jacobian of the prior's tangent of a frame with respect to that of the equations (rotation about
+// world axes).
+Matrix6d TangentJacobian(const Vector6d& difference, const RigidTransform& world_from_camera) {
+  Matrix6d D = Matrix6d::Identity();
+  D.topLeftCorner<3, 3>() = InverseRightJacobianSo3(difference.head<3>()) *
+                            world_from_camera.RotationMatrix().transpose();
+  return D;
+}
+
+// Adds the energy 1/2 ||r0 + J0 dx||^2 of a WindowPrior (Eq. 10 and 11) to SchurEquations whose
+// first six other variables are right_field_px. `prior` must outlive this object. `frame_index`
+// holds the window index of each frame of the prior.
+class SchurPrior {
+ public:
+  SchurPrior(const WindowPrior& prior, std::vector<int> frame_index)
+      : prior_(&prior), frame_index_(std::move(frame_index)) {
+    H0_.setZero(prior.J0.cols(), prior.J0.cols());
+    H0_.selfadjointView<Eigen::Lower>().rankUpdate(prior.J0.transpose());
+  }
+
+  double Energy(const std::vector<RigidTransform>& world_from_camera,
+                const Vector6d& right_field_px) const {
+    if (prior_->r0.size() == 0) return 0.0;
+    const Eigen::VectorXd dx = Difference(world_from_camera, right_field_px);
+    return 0.5 * (prior_->r0 + prior_->J0 * dx).squaredNorm();
+  }
+
+  // `pose_of_frame` holds, per frame of the window, the index of its pose in the equations; -1 if
+  // the pose is held fixed.
+  void AddTo(const std::vector<RigidTransform>& world_from_camera, const Vector6d& right_field_px,
+             bool is_right_field_fixed, const std::vector<int>& pose_of_frame,
+             SchurEquations& equations) const {
+    if (prior_->r0.size() == 0) return;
+    const Eigen::VectorXd dx = Difference(world_from_camera, right_field_px);
+    const Eigen::VectorXd g = prior_->J0.transpose() * (prior_->r0 + prior_->J0 * dx);
+    const int frames = static_cast<int>(frame_index_.size());
+    std::vector<Matrix6d> D(frames);
+    for (int i = 0; i < frames; ++i) {
+      const int pose = pose_of_frame[frame_index_[i]];
+      if (pose < 0) continue;
+      D[i] = TangentJacobian(dx.segment<6>(6 * i), world_from_camera[frame_index_[i]]);
+      equations.g.segment<6>(6 * pose).noalias() += D[i].transpose() * g.segment<6>(6 * i);
+      for (int k = 0; k <= i; ++k) {
+        const int other = pose_of_frame[frame_index_[k]];
+        if (other < 0) continue;
+        Matrix6d H0 = H0_.block<6, 6>(6 * i, 6 * k);
+        if (i == k) H0 = H0.selfadjointView<Eigen::Lower>();
+        equations.H.block<6, 6>(6 * pose, 6 * other) += D[i].transpose() * H0 * D[k];
+      }
+    }
+    if (is_right_field_fixed) return;
+    const int field = equations.others_begin();
+    equations.g.segment<6>(field) += g.tail<6>();
+    equations.H.block<6, 6>(field, field) += H0_.block<6, 6>(6 * frames, 6 * frames);
+    for (int i = 0; i < frames; ++i) {
+      const int pose = pose_of_frame[frame_index_[i]];
+      if (pose < 0) continue;
+      equations.H.block<6, 6>(field, 6 * pose) += H0_.block<6, 6>(6 * frames, 6 * i) * D[i];
+    }
+  }
+
+ private:
+  Eigen::VectorXd Difference(const std::vector<RigidTransform>& world_from_camera,
+                             const Vector6d& right_field_px) const {
+    const int frames = static_cast<int>(frame_index_.size());
+    Eigen::VectorXd dx(6 * frames + 6);
+    for (int i = 0; i < frames; ++i) {
+      dx.segment<6>(6 * i) =
+          world_from_camera[frame_index_[i]].Minus(prior_->linearization_point[i]);
+    }
+    dx.tail<6>() = right_field_px - prior_->right_field_point_px;
+    return dx;
+  }
+
+  const WindowPrior* prior_;
+  std::vector<int> frame_index_;
+  Eigen::MatrixXd H0_;  // J0^T J0
+};
 
 struct WindowVariables {
   std::vector<RigidTransform> world_from_camera;

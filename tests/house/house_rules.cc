@@ -46,8 +46,6 @@ const std::vector<TextRule>& TextRules() {
   // for it, chosen at run time, asks for CVO_WITH_AVX2 instead.
   static const std::regex portable(
       R"((core|variants)/(?!features/cpu_level\.|files/json/json_record\.).*\.(h|cc))");
-  static const std::regex step(
-      R"(core/(clusters|bodies|labelling|odometry)/(?!visual_odometry\.h).*\.(h|cc))");
   static const std::vector<TextRule> rules = {
       {portable,
        std::regex(
@@ -64,8 +62,7 @@ const std::vector<TextRule>& TextRules() {
       {library, std::regex(R"(\bsleep_(for|until)\b|\bstd::random_device\b|\bs?rand\s*\()"),
        "sleep or hidden randomness"},
       {estimator, std::regex("max_solver_time_in_seconds"),
-       "time cap: results would depend on the computer"},
-      {step, std::regex(R"(\bOptions\b)"), "all options in a step: it takes those it reads"}};
+       "time cap: results would depend on the computer"}};
   return rules;
 }
 

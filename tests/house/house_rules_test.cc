@@ -138,10 +138,7 @@ TEST(ForbiddenText, IsFoundWhereARuleApplies) {
       {"core/base/a.cc", "  static const std::vector<int> table = Make();", true},
       {"core/base/a.h", "  static Foo Create(int a) {", true},
       {"core/base/a.cc", "  static_assert(true);", true},
-      {"core/base/a.cc", "  std::this_thread::sleep_for(1s);", false},
-      {"core/odometry/a.h", "void A(const Options& options);", false},
-      {"core/bodies/a.h", "void A(const BodyBoxOptions& options);", true},
-      {"core/odometry/visual_odometry.h", "  Options options_;", true}};
+      {"core/base/a.cc", "  std::this_thread::sleep_for(1s);", false}};
   for (const Line& line : lines) {
     const auto found = CheckForbiddenText({line.path, "\n" + line.text + "\n"});
     if (line.good) {

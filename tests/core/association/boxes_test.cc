@@ -124,29 +124,30 @@ TEST(Assign, RefusesNanAndMinusInfinity) {
 const std::vector<ImageBox> kTwoBoxes = {{0, 0, 100, 100}, {200, 0, 300, 100}};
 
 // A landmark at (u_px, v_px) whose weight is `weight`, for both kinds of weights.
-BoxMember At(double u_px, double v_px, double weight = 1.0) {
-  BoxMember member;
-  member.zeta_px = {u_px, v_px};
-  member.measurement_determinant = weight * weight;
-  member.position_determinant = 1.0 / weight;
+PredictedLandmark At(double u_px, double v_px, double weight = 1.0) {
+  PredictedLandmark member;
+  member.zeta_px = {u_px, v_px, 0.0};
+  member.measurement_px2(0, 0) = weight * weight;
+  member.position_px2(0, 0) = 1.0 / weight;
   return member;
 }
 
-std::vector<BoxMember> Several(int count, double u_px, double v_px) {
-  return std::vector<BoxMember>(static_cast<std::size_t>(count), At(u_px, v_px));
+std::vector<PredictedLandmark> Several(int count, double u_px, double v_px) {
+  return std::vector<PredictedLandmark>(static_cast<std::size_t>(count), At(u_px, v_px));
 }
 
-std::vector<BoxMember> Join(std::vector<BoxMember> a, const std::vector<BoxMember>& b) {
+std::vector<PredictedLandmark> Join(std::vector<PredictedLandmark> a,
+                                    const std::vector<PredictedLandmark>& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-TEST(BoundedBoxWeights, HandComputed) {
+TEST(BoundedBoxes, HandComputed) {
   // Two landmarks in the first box, one in the second and one in neither have weights of 1.5, 0.25
   // and 0.25, in total 2.
-  const std::vector<BoxMember> cluster = {At(50, 50), At(60, 10, 0.5), At(250, 50, 0.25),
-                                          At(150, 50, 0.25)};
-  const BoxProbabilities p = BoundedBoxWeights::Compute(cluster, kTwoBoxes);
+  const std::vector<PredictedLandmark> cluster = {At(50, 50), At(60, 10, 0.5), At(250, 50, 0.25),
+                                                  At(150, 50, 0.25)};
+  const BoxProbabilities p = BoundedBoxes::Compute(cluster, kTwoBoxes);
   EXPECT_DOUBLE_EQ(p.probability[0], 0.75);
   EXPECT_DOUBLE_EQ(p.probability[1], 0.125);
   EXPECT_DOUBLE_EQ(p.weight[0], 1.5);
@@ -155,25 +156,25 @@ TEST(BoundedBoxWeights, HandComputed) {
   EXPECT_NEAR(p.entropy, 0.75 * std::log2(4.0 / 3.0) + 0.75, 1e-12);
 }
 
-TEST(BoxWeightsLiteral, HandComputed) {
+TEST(PrintedBoxWeights, HandComputed) {
   // Two landmarks of weight 1/4 in the first box, one of weight 1/2 in the second. Landmarks in no
   // box do not count.
-  const std::vector<BoxMember> cluster = {At(50, 50, 0.25), At(60, 10, 0.25), At(250, 50, 0.5),
-                                          At(150, 50, 8.0)};
-  const BoxProbabilities p = BoxWeightsLiteral::Compute(cluster, kTwoBoxes);
+  const std::vector<PredictedLandmark> cluster = {At(50, 50, 0.25), At(60, 10, 0.25),
+                                                  At(250, 50, 0.5), At(150, 50, 8.0)};
+  const BoxProbabilities p = PrintedBoxWeights::Compute(cluster, kTwoBoxes);
   EXPECT_DOUBLE_EQ(p.probability[0], 0.5);
   EXPECT_DOUBLE_EQ(p.probability[1], 0.5);
   EXPECT_NEAR(p.entropy, 1.0, 1e-12);  // in bits, like the limit
 }
 
-// Returns the box of each cluster, using BoundedBoxWeights.
-std::vector<int> Associate(const std::vector<std::vector<BoxMember>>& clusters,
+// Returns the box of each cluster, using BoundedBoxes.
+std::vector<int> Associate(const std::vector<std::vector<PredictedLandmark>>& clusters,
                            const std::vector<ImageBox>& boxes) {
   std::vector<BoxProbabilities> probabilities;
   for (const auto& cluster : clusters) {
-    probabilities.push_back(BoundedBoxWeights::Compute(cluster, boxes));
+    probabilities.push_back(BoundedBoxes::Compute(cluster, boxes));
   }
-  return AssociateBoxes(probabilities, static_cast<int>(boxes.size()), {}, &SharedBoxCost::Cost);
+  return AssociateBoxes(probabilities, static_cast<int>(boxes.size()), {}, &BoundedBoxes::Cost);
 }
 
 TEST(AssociateBoxes, EachClusterGetsItsBoxInAnyOrder) {
@@ -196,13 +197,13 @@ TEST(AssociateBoxes, DistinguishesOverlappingBoxesByLandmarksInOneOfThem) {
 }
 
 // A ghost has few landmarks, all of them in the box of a body that has many, most of them in it.
-TEST(AssociateBoxes, OnlySharedBoxCostKeepsABoxFromAGhost) {
+TEST(AssociateBoxes, OnlyTheCostOfSharesKeepsABoxFromAGhost) {
   const std::vector<ImageBox> boxes = {kTwoBoxes[0]};
   const std::vector<BoxProbabilities> clusters = {
-      BoundedBoxWeights::Compute(Several(4, 50, 50), boxes),
-      BoundedBoxWeights::Compute(Join(Several(20, 60, 60), Several(2, 150, 50)), boxes)};
-  EXPECT_THAT(AssociateBoxes(clusters, 1, {}, &SharedBoxCost::Cost), ElementsAre(-1, 0));
-  EXPECT_THAT(AssociateBoxes(clusters, 1, {}, &UnsharedBoxCost::Cost), ElementsAre(0, -1));
+      BoundedBoxes::Compute(Several(4, 50, 50), boxes),
+      BoundedBoxes::Compute(Join(Several(20, 60, 60), Several(2, 150, 50)), boxes)};
+  EXPECT_THAT(AssociateBoxes(clusters, 1, {}, &BoundedBoxes::Cost), ElementsAre(-1, 0));
+  EXPECT_THAT(AssociateBoxes(clusters, 1, {}, &PrintedBoxWeights::Cost), ElementsAre(0, -1));
 }
 
 TEST(AssociateBoxes, RefusesAClusterSpreadOverBoxes) {
@@ -210,10 +211,10 @@ TEST(AssociateBoxes, RefusesAClusterSpreadOverBoxes) {
   const auto spread =
       Join(Several(12, 5, 5), Join(Several(10, 25, 5), Several(10, 45, 5)));  // 1.58 bits
   EXPECT_THAT(Associate({spread}, boxes), ElementsAre(-1));
-  BoxProbabilities p = BoundedBoxWeights::Compute(spread, boxes);
+  BoxProbabilities p = BoundedBoxes::Compute(spread, boxes);
   ClusterAssociationOptions options;
   options.max_entropy = 1.6;
-  EXPECT_THAT(AssociateBoxes({&p, 1}, 3, options, &SharedBoxCost::Cost), ElementsAre(0));
+  EXPECT_THAT(AssociateBoxes({&p, 1}, 3, options, &BoundedBoxes::Cost), ElementsAre(0));
 }
 
 TEST(AssociateBoxes, HandlesNoClustersAndNoBoxes) {

@@ -63,7 +63,7 @@ const Vector3d kCar_m = SizeOfClass("Car");
 // A car, or a body of another class, of the size of its class. Provides its detection and points on
 // the faces visible to a camera at the origin that looks along z.
 struct SeenCar {
-  BoxSceneOptions options;
+  Options options;
   Vector3d size_m;
   StereoFrame frame;
   FeatureGrid grid{{}, test::kCamera};
@@ -106,7 +106,7 @@ struct SeenCar {
     report.id = ClusterId{1};
     report.world_from_object = cluster().Latest().world_from_object;
     std::vector<ClusterReport> reports = {report};
-    const FrameView view{frame, UseDetections::Show(frame), grid, test::kCamera, {}};
+    const FrameView view{frame, UseDetections::Show(frame), grid, test::kCamera, {}, options};
     boxes.Describe({options, map, &view, FrameId{f}, {}, kDown}, reports);
     return reports.front();
   }
@@ -222,8 +222,9 @@ TEST(BodyScore, FallsWithResidualsAndFewLandmarks) {
           test::kCamera.Project(camera_from_object * landmark.p_in_object).value();
       landmark.observations[0].z_px[0] += error_px;
     }
-    const FrameView view{car.frame, UseDetections::Show(car.frame), car.grid, test::kCamera, {}};
-    return ScoreOf(car.options.noise, car.options.clusters, &view, FrameId{0}, car.cluster());
+    const FrameView view{car.frame,  UseDetections::Show(car.frame), car.grid, test::kCamera, {},
+                         car.options};
+    return ScoreOf(car.options, &view, FrameId{0}, car.cluster());
   };
   const double exact = with_error(0.0);
   EXPECT_LT(with_error(1.0), exact);

@@ -28,6 +28,7 @@ TEST(FindState, ReturnsTheStateOfExactlyThisFrame) {
 // A ball of 0.6 m diameter at `center`, seen by a camera at `world_from_camera`. Only its right
 // half has texture, so the observed surface lies there.
 struct SeenBall {
+  Options options;
   StereoFrame frame;
   StereoCamera camera{400.0, 400.0, 320.0, 240.0, 0.2, 640, 480};
   Vector3d center{0.3, -0.2, 4.0};
@@ -43,7 +44,8 @@ struct SeenBall {
     frame.detections = {{{u - half_px, v - half_px, u + half_px, v + half_px}, "ball", 1.0}};
     if (hides) frame.detections.push_back({{u, v, u + half_px, v + half_px}, "cart", 1.0});
     const FeatureGrid grid(frame.features, camera);
-    return use(FrameView{frame, UseDetections::Show(frame), grid, camera, world_from_camera});
+    return use(
+        FrameView{frame, UseDetections::Show(frame), grid, camera, world_from_camera, options});
   }
   ViewedSides Viewed(const BoxShape& shape) {
     ViewedSides viewed;
@@ -58,7 +60,7 @@ struct SeenBall {
       const Vector3d c = world_from_camera.Inverse() * center;
       const double surface_m = c.z() - 0.2 + depth_bias_m;
       const Vector3d surface = c / c.z() * surface_m + Vector3d(0.15, 0.0, 0.0);
-      return CenterFromBox(view, ClusterOptions().birth_depth, 0, world_from_camera * surface);
+      return CenterFromBox(view, 0, world_from_camera * surface);
     });
   }
   // Relative to its diameter.

@@ -9,7 +9,6 @@
 
 #include "core/base/rng.h"
 #include "core/clustering/dense_crf.h"
-#include "core/clustering/label_matching.h"
 #include "core/clustering/point_extent.h"
 #include "tests/support/error_message.h"
 
@@ -171,11 +170,11 @@ struct Group {
 
 // Labels: static scene, cluster 5, two new boxes, outliers.
 std::vector<ClusterId> Match(std::initializer_list<Group> groups) {
-  const LabelIdentity labels[] = {{LabelKind::kStatic, kStaticScene},
-                                  {LabelKind::kCluster, ClusterId{5}},
-                                  {LabelKind::kNewBox, kNone},
-                                  {LabelKind::kNewBox, kNone},
-                                  {LabelKind::kOutlier, kNone}};
+  const CrfLabel labels[] = {{LabelKind::kStatic, kStaticScene},
+                             {LabelKind::kCluster, ClusterId{5}},
+                             {LabelKind::kNewBox, kNone},
+                             {LabelKind::kNewBox, kNone},
+                             {LabelKind::kOutlier, kNone}};
   std::vector<int> label_of_node;
   std::vector<ClusterId> previous_of_node;
   for (const Group& group : groups) {

@@ -217,8 +217,8 @@ Counts CountCar() {
 // As section 3.2 of the paper claims, the 3D term prunes the background and the motion term the
 // road.
 TEST(UnaryTerms, EachAddsInformationThatTheOthersLack) {
-  const Counts box = CountCar<NoAffinityTerm, NoMotionTerm>();
-  const Counts space = CountCar<AffinityTerm, NoMotionTerm>();
+  const Counts box = CountCar<NoTerm, NoTerm>();
+  const Counts space = CountCar<AffinityTerm, NoTerm>();
   const Counts all = CountCar<AffinityTerm, MotionTerm>();
   EXPECT_GE(box.background_as_car, 20);
   EXPECT_GE(box.road_as_car, 12);
@@ -232,8 +232,8 @@ TEST(UnaryTerms, EachAddsInformationThatTheOthersLack) {
 // METHOD.md 5.4: the printed 3D term does not add the spread of the body to the noise, and so loses
 // the body.
 TEST(UnaryTerms, PrintedAffinityTermLosesTheBody) {
-  EXPECT_GE((CountCar<AffinityTerm, NoMotionTerm>().car_as_car), 55);
-  EXPECT_LE((CountCar<AffinityTermLiteral, NoMotionTerm>().car_as_car), 30);
+  EXPECT_GE((CountCar<AffinityTerm, NoTerm>().car_as_car), 55);
+  EXPECT_LE((CountCar<AffinityTermLiteral, NoTerm>().car_as_car), 30);
 }
 
 }  // namespace

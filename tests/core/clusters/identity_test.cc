@@ -27,8 +27,7 @@ const RigidTransform kLostFromFound(ExpSo3({0.1, 0.7, -0.2}), Eigen::Vector3d(0.
 // confirmed in frame 20; it sees `common` of the landmarks of cluster 1, and moves at 1 m/s while
 // it turns at 1 rad/s.
 struct Return {
-  ClusterAssociationOptions association;
-  ClusterOptions options;
+  Options options;
   ClusterMap map;
   double off_m = 0.2;  // of the prediction of cluster 1, whose standard deviation is 0.1 m
 
@@ -38,7 +37,7 @@ struct Return {
     Cluster& lost = map.archived[0];
     Cluster& found = map.live[0];
     lost.frames = 100;
-    found.detections = options.confirm_detections;
+    found.detections = options.clusters.confirm_detections;
     found.half_size_m = Eigen::Vector3d::Constant(0.1);
     found.center_in_object = {0.1, 0.0, 0.1};
     Rng rng(3, "identity test");
@@ -91,7 +90,7 @@ struct Return {
       predicted.translation_variance_m2 = 0.01;
       return predicted;
     };
-    Policy::Update({association, options, FrameId{20}, predict}, map, rng);
+    Policy::Update({options, FrameId{20}, predict}, map, rng);
     return map.live.at(0).id.value;
   }
 };

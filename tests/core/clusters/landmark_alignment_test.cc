@@ -85,12 +85,13 @@ TEST_F(LandmarkAlignmentTest, LeavesTheCornerWithoutTheOption) {
   cluster.landmarks = {landmark_};
   ClusterTrack track;
   track.matches = {{0, 0}};
-  ClusterSearch search{{frame, {}, grid, camera, {}}, {}};
-  search.options.align_patches = false;
-  PlaceFeatures(search, cluster, track, frame.features);
+  Options options;
+  const FrameView view{frame, {}, grid, camera, {}, options};
+  options.tracking.align_patches = false;
+  PlaceFeatures(view, cluster, track, frame.features);
   EXPECT_EQ(frame.features[0].z_px[0], 100.0);
-  search.options.align_patches = true;
-  PlaceFeatures(search, cluster, track, frame.features);
+  options.tracking.align_patches = true;
+  PlaceFeatures(view, cluster, track, frame.features);
   EXPECT_NEAR(frame.features[0].z_px[0], 100.5, 0.03);
 }
 

@@ -123,7 +123,7 @@ TEST(RetireClusters, ArchiveDropsTheOldest) {
 
 // A landmark on a body 6 m ahead, last observed by a camera at the origin.
 struct Prediction {
-  ClusterSearchOptions options;
+  Options options;
   PredictedCluster predicted;
   Landmark landmark;
   RigidTransform world_from_camera;
@@ -139,7 +139,7 @@ struct Prediction {
   std::optional<PredictedLandmark> Predict() const {
     const StereoFrame frame;
     const FeatureGrid grid({}, kCamera);
-    return PredictLandmark({{frame, {}, grid, kCamera, world_from_camera}, options}, predicted,
+    return PredictLandmark({frame, {}, grid, kCamera, world_from_camera, options}, predicted,
                            landmark);
   }
 };
@@ -151,7 +151,7 @@ TEST(PredictLandmark, InnovationSumsPositionMotionAndMeasurement) {
   const Eigen::Matrix3d R = p.predicted.world_from_object.RotationMatrix();
   const Eigen::Matrix3d position =
       J * R * p.landmark.covariance.in_object_m2 * R.transpose() * J.transpose();
-  const Eigen::Matrix3d measurement = MeasurementCovariance(p.options.noise.options, 1.0);
+  const Eigen::Matrix3d measurement = MeasurementCovariance(p.options.noise, 1.0);
   auto seen = p.Predict();
   EXPECT_LT((seen->position_px2 - position).norm(), 1e-9);
   EXPECT_LT((seen->measurement_px2 - measurement).norm(), 1e-12);
@@ -182,8 +182,8 @@ TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
   cluster.states = {StateAt(8, At(0.0, 0.0, 5.0, 0.1)),
                     StateAt(10, At(0.2, 0.0, 5.0, 0.3), {1.0, 0.0, 0.5})};
   const auto predict = [&](std::int64_t frame) {
-    return PredictCluster<WhiteNoiseOnAcceleration, ConstantAngularVelocity>(
-        cluster, frame * kInterval_ns, motion);
+    return PredictCluster(cluster, frame * kInterval_ns,
+                          Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>, motion);
   };
   const PredictedCluster next = predict(11);
   EXPECT_LT(next.world_from_object.Minus(At(0.3, 0.0, 5.05, 0.4)).norm(), 1e-12);
@@ -194,8 +194,8 @@ TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
   const double turn = 2.0 / 4.0;
   EXPECT_NEAR(next.rotation_variance_rad2, 0.01 * turn * turn, 1e-12);
   EXPECT_GT(predict(15).translation_variance_m2, 20.0 * next.translation_variance_m2);
-  const auto held =
-      PredictCluster<WhiteNoiseOnAcceleration, HeldRotation>(cluster, 11 * kInterval_ns, motion);
+  const auto held = PredictCluster(cluster, 11 * kInterval_ns,
+                                   Extrapolate<WhiteNoiseOnAcceleration, HeldRotation>, motion);
   EXPECT_LT(held.world_from_object.Minus(At(0.3, 0.0, 5.05, 0.3)).norm(), 1e-12);
 }
 
@@ -260,11 +260,7 @@ struct Moving {
     const RigidTransform& pose = map.live[0].Latest().world_from_object;
     return (pose.translation() - Truth(kFrames - 1).translation()).norm();
   }
-  template <OutlierPolicy Outliers = RemoveOutliers>
-  SolverEndings Optimize() {
-    return OptimizeClusters<WhiteNoiseOnAcceleration, Outliers, OwnSchur>(
-        {options.NoiseOfFeatures(), options.solver, options.motion_prior}, window, pool, map);
-  }
+  void Optimize() { OptimizeClusters(options, test::kOurEnergy, window, pool, map); }
 };
 
 TEST(OptimizeClusters, RemovesOutliersOfTheLastFrame) {

@@ -143,9 +143,7 @@ class LongStay {
       for (Landmark& landmark : map_.live[0].landmarks) {
         if (forgets_mean) landmark.past_mean_in_object = landmark.p_in_object;
       }
-      OptimizeClusters<WhiteNoiseOnAcceleration, RemoveOutliers, OwnSchur>(
-          {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
-          map_);
+      OptimizeClusters(options_, test::kOurEnergy, window_, pool_, map_);
     }
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/clusters/cluster_map.h"
+#include "core/clusters/cluster_optimization.h"
 #include "tests/support/estimator_inputs.h"
 
 // Helpers to create states, landmarks and windows of a few frames, 0.1 s apart.
@@ -13,6 +14,9 @@ namespace cvo::test {
 
 inline constexpr std::int64_t kInterval_ns = 100'000'000;
 inline const StereoCamera kCamera = CentredCamera(450, 0.3, 640, 480);
+
+inline constexpr EnergySteps kOurEnergy{&StepsOfPrior<WhiteNoiseOnAcceleration>,
+                                        &RemoveOutliers::Gate, &OwnSchur::Solve, &OwnSchur::Solve};
 
 inline RigidTransform At(double x, double y, double z, double yaw = 0.0) {
   return {ExpSo3({0.0, yaw, 0.0}), Eigen::Vector3d(x, y, z)};

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "core/labelling/cluster_labels.h"
@@ -21,13 +22,12 @@ using testing::SizeIs;
 
 constexpr ClusterId kNone{};
 
-constexpr NewBodyRule kNearest = RuleOf<NearestDepths>();
+constexpr NewBodyRule kNearest = RuleOf<BodiesByDepth>();
 
 // The node of a static landmark observed in frames 1 to 3; the current frame is 4.
 CrfNode NodeOfThreeFrames(int past_frames) {
   Moving m;
-  LabelSceneOptions options;
-  options.unary.past_frames = past_frames;
+  m.options.unary.past_frames = past_frames;
   m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
   m.window.landmarks[0].p_in_object.z() += 0.5;
   std::erase_if(m.window.landmarks[0].observations,
@@ -35,33 +35,33 @@ CrfNode NodeOfThreeFrames(int past_frames) {
   m.Add(m.p_in_world, kSceneOwner, 0, kStaticScene);
   return m
       .With([&](const FrameView& view) {
-        return BuildLabelScene(view, options, m.window, m.map, m.tracks, m.points, kNearest);
+        return BuildCrfScene(view, kNearest, m.window, m.map, m.tracks, m.points);
       })
-      .crf.nodes.at(0);
+      .nodes.at(0);
 }
 
-TEST(BuildLabelScene, PastIsTheExactFrame) {
+TEST(BuildCrfScene, PastIsTheExactFrame) {
   EXPECT_TRUE(NodeOfThreeFrames(3).past);
   EXPECT_FALSE(NodeOfThreeFrames(4).past);
 }
 
-TEST(BuildLabelScene, LandmarkPositionIsEstimated) {
+TEST(BuildCrfScene, LandmarkPositionIsEstimated) {
   const CrfNode node = NodeOfThreeFrames(3);
   ASSERT_TRUE(node.estimate);
   EXPECT_NEAR(node.estimate->p_in_camera.z(), node.p_in_camera.z() + 0.5, 1e-9);
   EXPECT_TRUE(node.estimate->covariance_m2.isZero());
 }
 
-TEST(BuildLabelScene, NonPositiveDisparitiesAreFarAway) {
+TEST(BuildCrfScene, NonPositiveDisparitiesAreFarAway) {
   for (const double disparity_px : {0.0, -0.3}) {
     Moving m;
     m.window.landmarks = {Moving::Seen(m.p_in_world, [&](std::int64_t) { return m.p_in_world; })};
     m.Add(m.p_in_world, kSceneOwner, 0, kStaticScene);
     m.frame.features[0].z_px[2] = m.frame.features[0].z_px[0] - disparity_px;
-    const LabelScene scene = m.With([&](const FrameView& view) {
-      return BuildLabelScene(view, {}, m.window, m.map, m.tracks, m.points, kNearest);
+    const CrfScene scene = m.With([&](const FrameView& view) {
+      return BuildCrfScene(view, kNearest, m.window, m.map, m.tracks, m.points);
     });
-    const CrfNode& node = scene.crf.nodes.at(0);
+    const CrfNode& node = scene.nodes.at(0);
     EXPECT_NEAR(node.p_in_camera.z(), 450.0 * 0.3 / 0.1, 1e-6);
     EXPECT_TRUE(node.covariance_m2.allFinite());
   }
@@ -79,15 +79,14 @@ int NewBodiesInside(const std::string& category, double depth_m, double part_sha
                               (part.top_px + 12.0 * (i / 6) - 240.0) / 450.0, 1.0);
     m.Add(depth_m * ray, kNoOwner, -1, kNone);
   }
-  LabelSceneOptions options;
-  options.extent.part_share = part_share;
-  const LabelScene scene = m.With([&](const FrameView& view) {
-    return BuildLabelScene(view, options, m.window, m.map, m.tracks, m.points, kNearest);
+  m.options.extent.part_share = part_share;
+  const CrfScene scene = m.With([&](const FrameView& view) {
+    return BuildCrfScene(view, kNearest, m.window, m.map, m.tracks, m.points);
   });
-  return scene.Outlier() - 1 - scene.clusters;
+  return static_cast<int>(std::ranges::count(scene.labels, LabelKind::kNewBox, &CrfLabel::kind));
 }
 
-TEST(BuildLabelScene, ABoxInsideThatOfAClusterIsAPartOfIt) {
+TEST(BuildCrfScene, ABoxInsideThatOfAClusterIsAPartOfIt) {
   EXPECT_EQ(NewBodiesInside("Car", 7.0, 0.8), 0);
   EXPECT_EQ(NewBodiesInside("Car", 20.0, 0.8), 1) << "far behind the body";
   EXPECT_EQ(NewBodiesInside("Pedestrian", 7.0, 0.8), 1) << "of another class";
@@ -96,26 +95,25 @@ TEST(BuildLabelScene, ABoxInsideThatOfAClusterIsAPartOfIt) {
 
 TEST(NewBodyPolicies, TakeTheNearestDepthsOrAllOfThem) {
   const std::vector<double> depths_m = {2.0, 2.01, 2.02, 2.0, 2.01, 9.0, 9.1};
-  EXPECT_THAT(NearestDepths::Candidates(depths_m, 0.2, {}),
+  EXPECT_THAT(BodiesByDepth::Candidates(depths_m, 0.2, {}),
               ElementsAre(ElementsAre(0, 1, 2, 3, 4)));
-  EXPECT_THAT(AllDepths::Candidates(depths_m, 0.2, {}), ElementsAre(SizeIs(7)));
-  EXPECT_THAT(AllDepths::Candidates({2.0, 2.0, 2.0, 2.0}, 0.2, {}), IsEmpty());
+  EXPECT_THAT(BodiesOfAllPoints::Candidates(depths_m, 0.2, {}), ElementsAre(SizeIs(7)));
+  EXPECT_THAT(BodiesOfAllPoints::Candidates({2.0, 2.0, 2.0, 2.0}, 0.2, {}), IsEmpty());
 }
 
 // Two clusters exchange their labels, and the label of a third starts a new cluster.
 TEST(NameLabels, BoxesFollowTheLabels) {
-  LabelScene scene;
-  scene.crf.labels.resize(5);
-  scene.clusters = 3;
-  scene.detection = {-1, 0, 1, 2, -1};
-  scene.given_body.resize(5);
+  std::vector<CrfLabel> crf_labels(5);
   ClusterMap map;
   map.live.resize(3);
-  for (int q = 0; q < 3; ++q) map.live[q].id = ClusterId{q + 1};
-  map.next = ClusterId{9};
+  for (int q = 0; q < 3; ++q) {
+    map.live[q].id = ClusterId{q + 1};
+    crf_labels[q + 1] = {.kind = LabelKind::kCluster, .cluster = map.live[q].id, .detection = q};
+  }
+  crf_labels[4].kind = LabelKind::kOutlier;
   std::vector<ClusterId> cluster_of = {kStaticScene, ClusterId{2}, ClusterId{1}, kNone, kNone};
   FrameLabels labels;
-  internal::NameLabels(map, scene, cluster_of, labels);
+  NameLabels(ClusterId{9}, crf_labels, cluster_of, labels);
   EXPECT_THAT(cluster_of,
               ElementsAre(kStaticScene, ClusterId{2}, ClusterId{1}, ClusterId{9}, kNone));
   std::vector<ClusterTrack> tracks(3);
@@ -132,6 +130,7 @@ TEST(NameLabels, BoxesFollowTheLabels) {
 struct TwoBoxes {
   ImageBox near_box{300.0, 100.0, 400.0, 300.0};
   ImageBox far_box{200.0, 120.0, 360.0, 260.0};
+  Options options;
   StereoFrame frame;
   std::vector<FramePoint> points;
   std::vector<CrfNode> nodes;
@@ -157,9 +156,9 @@ struct TwoBoxes {
   // Returns the depth of the new body of each detection; 0 if it has none.
   std::vector<double> Depths(const NewBodyRule& rule, const std::vector<char>& is_claimed) const {
     const FeatureGrid grid(frame.features, test::kCamera);
-    const FrameView view{frame, UseDetections::Show(frame), grid, test::kCamera, {}};
+    const FrameView view{frame, UseDetections::Show(frame), grid, test::kCamera, {}, options};
     std::vector<double> depths_m;
-    for (const auto& body : FindNewBodies(view, {rule, {}}, is_claimed, points, nodes)) {
+    for (const auto& body : FindNewBodies(view, rule, is_claimed, points, nodes)) {
       depths_m.push_back(body ? body->center_in_camera.z() : 0.0);
     }
     return depths_m;
@@ -181,7 +180,7 @@ TEST(FindNewBodies, DepthRangeMustFillTheBox) {
 TEST(FindNewBodies, NoneIfAClusterClaimsTheBoxOrOwnsThePoints) {
   TwoBoxes boxes;
   EXPECT_THAT(boxes.Depths(kNearest, {1, 0}), ElementsAre(0.0, 2.0));
-  for (FramePoint& point : boxes.points) point.owner = ClusterOwner(0);
+  for (FramePoint& point : boxes.points) point.owner = 0;
   EXPECT_THAT(boxes.Depths(kNearest, {0, 0}), ElementsAre(0.0, 0.0));
 }
 

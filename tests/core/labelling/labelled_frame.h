@@ -12,6 +12,7 @@ namespace cvo::test {
 
 // A frame observed by a camera at the origin, with features at given points.
 struct Frame {
+  Options options;
   StereoFrame frame;
   std::vector<FramePoint> points;
   FrameLabels labels;
@@ -24,7 +25,7 @@ struct Frame {
     return *kCamera.Project(p_in_camera);
   }
   // Adds a feature that observes a landmark of `owner` and is labelled `assigned`.
-  void Add(const Eigen::Vector3d& p_in_camera, PointOwner owner, int landmark, ClusterId assigned) {
+  void Add(const Eigen::Vector3d& p_in_camera, int owner, int landmark, ClusterId assigned) {
     FramePoint point;
     point.feature = static_cast<int>(frame.features.size());
     point.owner = owner;
@@ -33,15 +34,16 @@ struct Frame {
     StereoFeature feature;
     feature.z_px = Pixel(p_in_camera);
     frame.features.push_back(feature);
-    PointLabel label;
-    label.inferred = assigned;
-    label.assigned.cluster = assigned;
+    LandmarkReport label;
+    label.inferred = label.cluster = assigned;
+    label.confidence = 1;
     labels.points.push_back(label);
   }
   template <typename Use>
   auto With(Use use) {
     const FeatureGrid grid(frame.features, kCamera);
-    const FrameView view{frame, UseDetections::Show(frame), grid, kCamera, RigidTransform()};
+    const FrameView view{frame,   UseDetections::Show(frame), grid,
+                         kCamera, RigidTransform(),           options};
     return use(view);
   }
 };
@@ -49,11 +51,10 @@ struct Frame {
 // A body that moves 0.1 m to the right per frame, and a point that is static or on the body. Frames
 // 0 to 3 are in the window; frame 4, in which the body is at x = 0.4 m, is entering.
 struct Moving : Frame {
-  static constexpr PointOwner kBody = ClusterOwner(0);
+  static constexpr int kBody = 0;
   const Eigen::Vector3d p_in_world{0.5, 0.2, 6.0};  // the point; in frame 4 if it moves
   std::vector<ClusterTrack> tracks{1};
   LandmarkId next{10};
-  LandmarkUpdateOptions options;
 
   Moving() {
     Cluster cluster;
@@ -87,8 +88,8 @@ struct Moving : Frame {
   }
   int Update() {
     return With([&](const FrameView& view) {
-      return UpdateLandmarks(view, options, {FrameId{4}, {}, false}, tracks, points, labels, next,
-                             window, map);
+      return UpdateLandmarks(view, {FrameId{4}, {}, false}, tracks, points, labels, next, window,
+                             map);
     });
   }
 };

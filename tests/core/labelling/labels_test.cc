@@ -40,7 +40,7 @@ TEST(UpdateLandmarks, StaticPointThatMovedWithTheBodyKeepsItsPast) {
   ASSERT_THAT(m.map.live[0].landmarks, SizeIs(1));
   const Landmark& landmark = m.map.live[0].landmarks[0];
   EXPECT_EQ(landmark.id, LandmarkId{7});
-  EXPECT_EQ(m.labels.points[0].landmark, LandmarkId{7});
+  EXPECT_EQ(m.labels.points[0].id, LandmarkId{7});
   EXPECT_EQ(landmark.label.cluster, ClusterId{1});
   EXPECT_THAT(FramesOf(landmark), ElementsAre(0, 1, 2, 3, 4));
   EXPECT_LT((Moving::BodyAt(4) * landmark.p_in_object - m.p_in_world).norm(), 1e-9);
@@ -78,8 +78,8 @@ TEST(UpdateLandmarks, RemovesOutliersAndCreatesNewPoints) {
   EXPECT_LT((m.map.live[0].landmarks[0].p_in_object - Eigen::Vector3d(-0.3, 0.0, 0.0)).norm(),
             1e-9);
   EXPECT_EQ(m.next, LandmarkId{12});
-  EXPECT_EQ(m.labels.points[2].landmark, LandmarkId{11});
-  EXPECT_FALSE(m.labels.points[3].landmark.valid());
+  EXPECT_EQ(m.labels.points[2].id, LandmarkId{11});
+  EXPECT_FALSE(m.labels.points[3].id.valid());
 }
 
 TEST(UpdateLandmarks, CovarianceIsTheBestTriangulationInTheBodysFrame) {
@@ -91,7 +91,7 @@ TEST(UpdateLandmarks, CovarianceIsTheBestTriangulationInTheBodysFrame) {
   const Landmark& landmark = m.map.live[0].landmarks.at(0);
   const Eigen::Matrix3d R = m.tracks[0].world_from_object.RotationMatrix();
   const Eigen::Matrix3d in_camera = kCamera.PointCovariance(
-      Frame::Pixel(m.p_in_world), MeasurementCovariance(m.options.noise.options, 1.0));
+      Frame::Pixel(m.p_in_world), MeasurementCovariance(m.options.noise, 1.0));
   EXPECT_LT((R * landmark.covariance.in_object_m2 * R.transpose() - in_camera).norm(), 1e-12);
 }
 
@@ -109,8 +109,6 @@ TEST(RemoveUnconfirmed, DropsLandmarksSeenOnceLongAgo) {
   EXPECT_EQ(landmarks[1].id, LandmarkId{2});
   EXPECT_EQ(landmarks[2].id, LandmarkId{3});
 }
-
-const BodyCenterOptions kCenter{{}, ClusterOptions().birth_depth};
 
 // A frame with the visible half of a ball and its box.
 Frame Ball(const Eigen::Vector3d& center, double radius_m) {
@@ -134,7 +132,7 @@ TEST(CreateClusters, OriginIsBehindTheSurfaceNearTheCentre) {
   Frame frame = Ball(center, 0.6);
   frame.labels.births = {{ClusterId{1}, 0, -1}};
   frame.With([&](const FrameView& view) {
-    CreateClusters(view, kCenter, FrameId{4}, frame.points, frame.labels, &OriginBehindBox::Origin,
+    CreateClusters(view, RuleOf<BodiesByDepth>(), FrameId{4}, frame.points, frame.labels,
                    frame.map);
     return 0;
   });
@@ -154,7 +152,7 @@ TEST(CreateClusters, GivenLabelsWithoutABoxMakeABodyOfCategoryObject) {
   Frame frame = Ball({0.0, 0.0, 8.0}, 0.6);
   frame.labels.births = {{ClusterId{1}, -1, 5}};
   frame.With([&](const FrameView& view) {
-    CreateClusters(view, kCenter, FrameId{4}, frame.points, frame.labels, &OriginBehindBox::Origin,
+    CreateClusters(view, RuleOf<BodiesByDepth>(), FrameId{4}, frame.points, frame.labels,
                    frame.map);
     return 0;
   });
@@ -181,16 +179,14 @@ TEST(DropWeakBirths, RenumbersTheOthersAndReleasesThePoints) {
   frame.labels.points.back().second = ClusterId{6};
   frame.labels.points.front().second = ClusterId{7};
   frame.labels.births = {{ClusterId{5}, 0, -1}, {ClusterId{6}, 1, -1}, {ClusterId{7}, 2, -1}};
-  internal::DropWeakBirths(3, frame.window, frame.map, frame.points, frame.labels);
+  DropWeakBirths(3, frame.window, frame.map, frame.points, frame.labels);
   ASSERT_THAT(frame.labels.births, SizeIs(2));
   EXPECT_EQ(frame.labels.births[0].id, ClusterId{5});
   EXPECT_EQ(frame.labels.births[0].detection, 0);
   EXPECT_EQ(frame.labels.births[1].id, ClusterId{6});
   EXPECT_EQ(frame.labels.births[1].detection, 2);
   std::vector<std::int64_t> assigned;
-  for (const PointLabel& label : frame.labels.points) {
-    assigned.push_back(label.assigned.cluster.value);
-  }
+  for (const LandmarkReport& label : frame.labels.points) assigned.push_back(label.cluster.value);
   EXPECT_THAT(assigned, ElementsAre(5, 5, 5, 0, 0, 6, 6, 6, 6, 0));
   EXPECT_FALSE(frame.labels.points[3].inferred.valid());
   EXPECT_EQ(frame.labels.points[5].inferred, ClusterId{6});
@@ -199,8 +195,6 @@ TEST(DropWeakBirths, RenumbersTheOthersAndReleasesThePoints) {
   EXPECT_EQ(frame.labels.points.front().second, ClusterId{6});
 }
 
-constexpr double kMinDisparity_px = 1.0;
-
 TEST(CollectPoints, OmitsOnlyNewPointsWithoutDisparity) {
   Frame frame;
   frame.Add({0.0, 0.0, 5.0}, kNoOwner, -1, kNone);
@@ -208,12 +202,12 @@ TEST(CollectPoints, OmitsOnlyNewPointsWithoutDisparity) {
   std::vector<ClusterTrack> tracks(2);
   tracks[1].matches = {{4, 2, 0}};
   const auto points = frame.With([&](const FrameView& view) {
-    return CollectPoints(view, kMinDisparity_px, {{9, 3, 0}}, tracks);
+    return CollectPoints(view, {{9, 3, 0}}, tracks);
   });
   ASSERT_THAT(points, SizeIs(3));
   EXPECT_EQ(points[0].owner, kNoOwner);
   EXPECT_EQ(points[1].feature, 2);
-  EXPECT_EQ(points[1].owner, ClusterOwner(1));
+  EXPECT_EQ(points[1].owner, 1);
   EXPECT_EQ(points[1].landmark, 4);
   EXPECT_EQ(points[2].owner, kSceneOwner);
   EXPECT_EQ(points[2].landmark, 9);
@@ -236,7 +230,7 @@ TEST(CollectPoints, UsesReserveFeaturesOnlyOnBodies) {
   tracks[0].box = around(2);
   std::vector<int> features;
   for (const FramePoint& point : frame.With([&](const FrameView& view) {
-         return CollectPoints(view, kMinDisparity_px, {{9, 3, 0}}, tracks);
+         return CollectPoints(view, {{9, 3, 0}}, tracks);
        })) {
     features.push_back(point.feature);
   }

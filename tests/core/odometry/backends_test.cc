@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/ceres/ceres_solvers.h"
-#include "core/odometry/visual_odometry.h"
+#include "core/odometry/axes.h"
 #include "tests/support/moving_world.h"
 #include "variants/ablations.h"
 #include "variants/paper.h"
@@ -69,9 +69,9 @@ Agreement Watch(int frames) {
   V::SetDefaults(options);
   // Field coefficients that few points constrain have no sharp minimum.
   options.noise.right_mean_px = 0.0;
-  VisualOdometry<AxesOf<WithBoth<V>>> odometry({world.camera(), options, 0}, pool);
+  const auto odometry = MakeOdometry(StepsOf<WithBoth<V>>(), {world.camera(), options, 0}, pool);
   StageTimes times;
-  for (int i = 0; i < frames; ++i) odometry.Process(world.Observe(i, 0.3).frame, times);
+  for (int i = 0; i < frames; ++i) odometry->Process(world.Observe(i, 0.3).frame, times);
   return agreement;
 }
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#pragma once
-
 #include <algorithm>
 #include <deque>
 #include <optional>
@@ -9,37 +7,36 @@
 #include <utility>
 #include <vector>
 
-#include "core/association/matching.h"
 #include "core/base/rng.h"
 #include "core/bodies/body_boxes.h"
 #include "core/bodies/body_place.h"
-#include "core/clusters/cluster_association.h"
-#include "core/clusters/cluster_optimization.h"
 #include "core/clusters/cluster_prediction.h"
-#include "core/clusters/identity.h"
 #include "core/clusters/trace_back.h"
-#include "core/estimation/double_track.h"
-#include "core/interface/frame.h"
-#include "core/labelling/cluster_labels.h"
+#include "core/estimation/window_problem.h"
 #include "core/labelling/landmark_update.h"
 #include "core/odometry/axes.h"
 #include "core/odometry/camera_tracking.h"
-#include "core/odometry/cluster_update.h"
 
 namespace cvo {
 
-// The per-frame loop of the estimator. The policies of `Variant` are its steps (variants/).
-template <EstimatorVariant Variant>
+namespace {
+
+auto Timed(StageTimes& times, const char* stage, const auto& run) {
+  const ScopedStage timer(times, stage);
+  return run();
+}
+
+// The per-frame loop of the estimator, with the steps of a variant (variants/).
 class VisualOdometry final : public Odometry {
  public:
-  VisualOdometry(const OdometrySetup& setup, TaskPool& pool)
-      : camera_(setup.camera),
+  VisualOdometry(const Steps& steps, const OdometrySetup& setup, TaskPool& pool)
+      : steps_(steps),
+        camera_(setup.camera),
         options_(setup.options),
         pool_(pool),
         rng_(setup.seed, "odometry"),
         cluster_rng_(setup.seed, "clusters"),
-        ground_(setup.seed),
-        double_track_(options_.window, options_.NoiseOfFeatures()) {
+        ground_(setup.seed) {
     camera_.Check();
     options_.Check();
   }
@@ -48,7 +45,7 @@ class VisualOdometry final : public Odometry {
     CheckGiven(input);
     FrameReport report = Begin(input.timestamp_ns);
     StereoFrame frame = input;  // a copy, because alignment moves matched features
-    const ShownBodies shown = Variant::Detections::Show(frame);
+    const ShownBodies shown = steps_.show(frame);
     const FeatureGrid grid(frame.features, camera_);
     report.features = static_cast<int>(std::ranges::count_if(
         frame.features, [](const StereoFeature& feature) { return !IsLeftOnly(feature); }));
@@ -59,7 +56,8 @@ class VisualOdometry final : public Odometry {
     const auto track = Timed(times, "track", [&] { return Track(predicted, shown, frame); });
     if (!track && !StartsMap(report.features)) return EndLost(predicted, report);
     if (!track) Restart();
-    Step step{{frame, shown, grid, window_.camera, track ? track->world_from_camera : predicted}};
+    Step step{{frame, shown, grid, window_.camera, track ? track->world_from_camera : predicted,
+               options_}};
     if (track) step.static_matches = track->inliers;
 
     // Features and boxes with the clusters (3.1, multi-level probabilistic association).
@@ -72,24 +70,19 @@ class VisualOdometry final : public Odometry {
     Timed(times, "optimize", [&] { OptimizeScene(input.features, report); });
     // The preceding frames are searched for clusters that were found late (METHOD.md 6.6).
     Timed(times, "trace", [&] {
-      TraceBack<typename Variant::LandmarkAssociation>(
-          SearchOptions(), window_, PredictorAnytimeOf(), &Variant::Detections::Show, kept_,
-          clusters_, cluster_rng_);
+      TraceBack({options_, window_, PredictorAnytimeOf(), steps_.show, steps_.association.find},
+                kept_, clusters_, cluster_rng_);
     });
     // Every cluster with its motion prior, the camera held as it is now (3.3, Eq. 12 and 13).
     Timed(times, "optimize_clusters", [&] {
-      report.cluster_endings =
-          OptimizeClusters<typename Variant::BodyMotion, typename Variant::Outliers,
-                           typename Variant::Solver>(
-              {options_.NoiseOfFeatures(), options_.solver, options_.motion_prior}, window_, pool_,
-              clusters_);
+      report.cluster_endings = OptimizeClusters(options_, steps_.energy, window_, pool_, clusters_);
     });
 
     report.status = !track ? FrameStatus::kFirst
                            : (lost_ > 0 ? FrameStatus::kRecovered : FrameStatus::kTracked);
     report.matches = track ? track->matches : 0;
     report.inliers = static_cast<int>(step.static_matches.size());
-    report.landmarks = ReportLandmarks(step.view, step.points, step.labels);
+    report.landmarks = std::move(step.labels.points);
     report = EndTracked(step.view, std::move(report));
     Keep(std::move(frame), report.landmarks);
     return report;
@@ -118,11 +111,6 @@ class VisualOdometry final : public Odometry {
     FrameLabels labels = {};
   };
 
-  static auto Timed(StageTimes& times, const char* stage, const auto& run) {
-    const ScopedStage timer(times, stage);
-    return run();
-  }
-
   // Empty if the camera is lost, or if there is no map yet. Moves matched features.
   std::optional<CameraTrack> Track(const RigidTransform& predicted, const ShownBodies& shown,
                                    StereoFrame& frame) {
@@ -130,39 +118,26 @@ class VisualOdometry final : public Odometry {
     const FeatureGrid scene_grid(frame.features, camera_,
                                  SceneFeatures(frame.features, shown.detections));
     return TrackCamera(
-        {options_.NoiseOfFeatures(), options_.orb, options_.matching, options_.tracking}, window_,
-        scene_grid, frame.features,
+        options_, window_, scene_grid, frame.features,
         {predicted, frame.given.world_from_camera.has_value(), motion_.HasVelocity()}, rng_);
-  }
-
-  ClusterSearchOptions SearchOptions() const {
-    return {options_.NoiseOfFeatures(), options_.orb, options_.association, options_.clusters,
-            options_.tracking.align_patches};
   }
 
   // Moves matched features.
   void Associate(std::span<StereoFeature> features, Step& step) {
-    const ClusterSearch search{step.view, SearchOptions()};
-    TakenFeatures taken = TakenBy(step.static_matches, features.size());
-    step.cluster_tracks = AssociateClusters<typename Variant::LandmarkAssociation,
-                                            typename Variant::Boxes, typename Variant::BoxRematch>(
-        search, PredictorOfClusters(), clusters_, cluster_rng_, taken);
+    TakenFeatures taken(features.size(), 0);
+    for (const Match& match : step.static_matches) taken[match.feature] = 1;
+    step.cluster_tracks = AssociateClusters(step.view, steps_.association, PredictorOfClusters(),
+                                            clusters_, cluster_rng_, taken);
     for (std::size_t q = 0; q < step.cluster_tracks.size(); ++q) {
       if (!step.cluster_tracks[q].is_tracked) continue;
-      PlaceFeatures(search, clusters_.live[q], step.cluster_tracks[q], features);
+      PlaceFeatures(step.view, clusters_.live[q], step.cluster_tracks[q], features);
     }
   }
 
   void Label(Step& step) {
-    step.points = CollectPoints(step.view, options_.tracking.min_disparity_px, step.static_matches,
-                                step.cluster_tracks);
-    const LabelSceneOptions scene{options_.NoiseOfFeatures(), options_.unary, options_.extent,
-                                  options_.clusters};
-    step.labels = LabelPoints<typename Variant::BoxTerm, typename Variant::AffinityTerm,
-                              typename Variant::MotionTerm, typename Variant::Pairwise,
-                              typename Variant::Confidence>(
-        step.view, {scene, options_.pairwise, options_.label_matching}, window_, clusters_,
-        step.cluster_tracks, step.points, RuleOf<typename Variant::NewBody>(), crf_memory_);
+    step.points = CollectPoints(step.view, step.static_matches, step.cluster_tracks);
+    step.labels = LabelPoints(step.view, steps_.labels, window_, clusters_, step.cluster_tracks,
+                              step.points, crf_memory_);
     AdoptDetections(step.labels, clusters_, step.cluster_tracks);
   }
 
@@ -170,13 +145,10 @@ class VisualOdometry final : public Odometry {
   int Enter(Step& step) {
     const WindowFrame entering{newest_, step.view.world_from_camera,
                                step.view.frame.given.world_from_camera.has_value()};
-    const BodyCenterOptions center{options_.extent, options_.clusters.birth_depth};
     AddStates(step.view, newest_, step.cluster_tracks, clusters_);
-    CreateClusters(step.view, center, newest_, step.points, step.labels, &Variant::NewBody::Origin,
-                   clusters_);
-    const int created = UpdateLandmarks(
-        step.view, {options_.NoiseOfFeatures(), options_.tracking.align_patches}, entering,
-        step.cluster_tracks, step.points, step.labels, next_landmark_, window_, clusters_);
+    CreateClusters(step.view, steps_.labels.new_body, newest_, step.points, step.labels, clusters_);
+    const int created = UpdateLandmarks(step.view, entering, step.cluster_tracks, step.points,
+                                        step.labels, next_landmark_, window_, clusters_);
     RemoveUnconfirmed(newest_, options_.window.lost_frames, window_.landmarks);
     AdvanceWindow(entering);
     return created;
@@ -186,14 +158,7 @@ class VisualOdometry final : public Odometry {
     if (!TrustsCalibration(options_.noise)) {
       rows_.Add(RowOffsets(features, options_.orb.scale_factor), camera_);
     }
-    const WindowReport window =
-        OptimizeWindow<typename Variant::Outliers, typename Variant::Solver>(
-            options_.NoiseOfFeatures(), options_.solver, rows_, window_);
-    report.window_landmarks = window.landmarks;
-    report.window_iterations = window.iterations;
-    report.window_endings = window.endings;
-    report.mean_error_px = window.mean_error_px;
-    report.calibration = {window_.camera.right_field_px, window.right_field_information};
+    OptimizeWindow(options_, steps_.energy, rows_, window_, report);
   }
 
   FrameReport Begin(std::int64_t timestamp_ns) {
@@ -225,15 +190,8 @@ class VisualOdometry final : public Odometry {
 
   PredictorAnytime PredictorAnytimeOf() const {
     return [this](const Cluster& cluster, std::int64_t timestamp_ns) {
-      return PredictCluster<typename Variant::BodyMotion, typename Variant::BodyMotion>(
-          cluster, timestamp_ns, options_.motion_prior);
+      return PredictCluster(cluster, timestamp_ns, *steps_.extrapolate, options_.motion_prior);
     };
-  }
-
-  static TakenFeatures TakenBy(const std::vector<Match>& matches, std::size_t features) {
-    TakenFeatures taken(features, 0);
-    for (const Match& match : matches) taken[match.feature] = 1;
-    return taken;
   }
 
   void Keep(StereoFrame frame, const std::vector<LandmarkReport>& landmarks) {
@@ -252,7 +210,7 @@ class VisualOdometry final : public Odometry {
   void AdvanceWindow(const WindowFrame& entering) {
     const std::optional<WindowFrame> oldest =
         window_.temporal.empty() ? std::nullopt : std::optional(window_.temporal.front());
-    double_track_.Advance(entering, window_);
+    steps_.advance(options_, entering, window_);
     for (Cluster& cluster : clusters_.live) {
       if (oldest && window_.temporal.front().id != oldest->id) {
         AbsorbObservations(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
@@ -280,13 +238,10 @@ class VisualOdometry final : public Odometry {
   void EndClusters(const FrameView* view, FrameReport& report) {
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
-    Variant::Identity::Update({options_.association, options_.clusters, newest_, predict},
-                              clusters_, cluster_rng_);
+    steps_.update_identity({options_, newest_, predict}, clusters_, cluster_rng_);
     std::vector<ClusterReport> described = DescribeClusters(newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
-    const BoxSceneOptions boxes{options_.NoiseOfFeatures(), options_.clusters, options_.extent,
-                                options_.boxes};
-    boxes_.Describe({boxes, clusters_, view, newest_, report.world_from_camera,
+    boxes_.Describe({options_, clusters_, view, newest_, report.world_from_camera,
                      ground_.Down(report.world_from_camera)},
                     described);
     report.clusters =
@@ -320,13 +275,13 @@ class VisualOdometry final : public Odometry {
     return report;
   }
 
+  Steps steps_;
   StereoCamera camera_;
   Options options_;
   TaskPool& pool_;
   Rng rng_;
   Rng cluster_rng_;
   GroundDirection ground_;
-  DoubleTrack<typename Variant::Frames> double_track_;
 
   RowField rows_;  // of the rig
   Window window_;
@@ -341,5 +296,12 @@ class VisualOdometry final : public Odometry {
   std::int64_t timestamp_ns_ = 0;
   int lost_ = 0;  // number of frames since the last tracked one
 };
+
+}  // namespace
+
+std::unique_ptr<Odometry> MakeOdometry(const Steps& steps, const OdometrySetup& setup,
+                                       TaskPool& pool) {
+  return std::make_unique<VisualOdometry>(steps, setup, pool);
+}
 
 }  // namespace cvo
