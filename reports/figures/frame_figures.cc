@@ -142,16 +142,20 @@ Figure ErrorFigure(const DrawnScene& scene, const std::vector<const BodyDetail*>
 
 void AddErrorOverTime(const SuiteData& data, SuiteFigures& figures) {
   const Palette palette = PaletteOfDrawn(data);
+  std::vector<std::string> without;
   for (const DrawnScene& scene : GroupByScene(data.drawn)) {
     const std::vector<const BodyDetail*> bodies = ChooseBodies(scene);
     if (bodies.empty()) {
-      figures.not_drawn.push_back(
-          StrCat("Error over time on ", scene.sequence,
-                 ": no moving body with truth is estimated in the runs read."));
-      continue;
+      without.push_back(scene.sequence);
+    } else {
+      figures.figures.push_back(ErrorFigure(scene, bodies, palette));
     }
-    figures.figures.push_back(ErrorFigure(scene, bodies, palette));
   }
+  if (without.empty()) return;
+  figures.not_drawn.push_back(
+      StrCat("Error over time on ", without.front(),
+             without.size() > 1 ? StrCat(" and ", without.size() - 1, " more") : "",
+             ": no moving body with truth is estimated in the runs read."));
 }
 
 namespace {

@@ -38,9 +38,13 @@ DrawnRun Describe(const SuitePlan& plan, const PlannedRun& run) {
 // Runs that cannot be drawn, or not in full, by the reason.
 using Reason = std::pair<std::string, std::vector<std::string>>;
 
+// Reasons name files from the run's folder on, so that the same one of many runs is told once.
 void ReadDrawn(DrawnRun drawn, const std::filesystem::path& folder, SuiteData& data,
                std::vector<Reason>& reasons) {
-  const auto add = [&](const std::string& reason) {
+  const std::string place = folder.filename().string() + "/";
+  const auto add = [&](std::string reason) {
+    const std::size_t at = reason.find(place);
+    if (at != std::string::npos) reason.erase(0, at + place.size());
     FindOrAdd(reasons, &Reason::first, {reason, {}})
         .second.push_back(StrCat(drawn.sequence, " ", drawn.variant, " seed ", drawn.seed));
   };

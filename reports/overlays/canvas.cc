@@ -3,15 +3,17 @@
 #include "reports/overlays/canvas.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <opencv2/core/utils/logger.hpp>
+#include <cstdio>
 #include <opencv2/imgproc.hpp>
 #include <optional>
-#include <system_error>
 
 #include "core/base/error.h"
 #include "core/files/images/image_file.h"
+#include "core/files/text/number.h"
+#include "core/files/text/utf8.h"
 
 namespace cvo::reports {
 namespace {
@@ -58,6 +60,17 @@ std::vector<Segment> Dashes(const Segment& segment, double dash_px) {
   return dashes;
 }
 
+std::string Hex(Rgb color) {
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color.red, color.green, color.blue);
+  return text.data();
+}
+
+// A place in SVG, which counts from the corner of the first pixel.
+std::string PlaceText(cv::Point2d at) {
+  return StrCat(FormatFixed(at.x + 0.5, 2), " ", FormatFixed(at.y + 0.5, 2));
+}
+
 }  // namespace
 
 cv::Scalar Bgr(Rgb color) { return {double(color.blue), double(color.green), double(color.red)}; }
@@ -72,28 +85,40 @@ cv::Size Font::SizeOf(const std::string& text) const {
   return {size.width + 2 * gap_px, size.height + 2 * gap_px};
 }
 
-void DrawStrokes(const std::vector<Stroke>& strokes, cv::Mat& image) {
+void DrawStrokes(const std::vector<Stroke>& strokes, Canvas& canvas) {
   for (const bool rim : {true, false}) {
     for (const Stroke& stroke : strokes) {
-      const std::optional<Segment> seen = Clip(stroke.segment, image.size());
+      const std::optional<Segment> seen = Clip(stroke.segment, canvas.pixels.size());
       if (!seen) continue;
       const int width_px = stroke.width_px + (rim ? 2 : 0);
+      const Rgb color = rim ? kDark : stroke.color;
       for (const auto& [a, b] : stroke.dashed ? Dashes(*seen, 4.0 + 2.0 * stroke.width_px)
                                               : std::vector<Segment>{*seen}) {
-        cv::line(image, Fixed(a), Fixed(b), Bgr(rim ? kDark : stroke.color), width_px, cv::LINE_AA,
-                 kFractionBits);
+        if (canvas.svg != nullptr) {
+          *canvas.svg += StrCat("<path d=\"M", PlaceText(a), "L", PlaceText(b), "\" stroke=\"",
+                                Hex(color), "\" stroke-width=\"", width_px, "\"/>\n");
+        } else {
+          cv::line(canvas.pixels, Fixed(a), Fixed(b), Bgr(color), width_px, cv::LINE_AA,
+                   kFractionBits);
+        }
       }
     }
   }
 }
 
-void DrawDisc(cv::Point2d center, double radius_px, Rgb color, cv::Mat& image) {
+void DrawDisc(cv::Point2d center, double radius_px, Rgb color, Canvas& canvas) {
   // Written so that NaN is outside, too.
   const bool inside = center.x > -radius_px && center.y > -radius_px &&
-                      center.x < image.cols + radius_px && center.y < image.rows + radius_px;
+                      center.x < canvas.pixels.cols + radius_px &&
+                      center.y < canvas.pixels.rows + radius_px;
   if (!inside) return;
-  cv::circle(image, Fixed(center), static_cast<int>(std::lround(radius_px * kFraction)), Bgr(color),
-             cv::FILLED, cv::LINE_AA, kFractionBits);
+  if (canvas.svg != nullptr) {
+    *canvas.svg += StrCat("<circle transform=\"translate(", PlaceText(center), ")\" r=\"",
+                          FormatFixed(radius_px, 2), "\" fill=\"", Hex(color), "\"/>\n");
+    return;
+  }
+  cv::circle(canvas.pixels, Fixed(center), static_cast<int>(std::lround(radius_px * kFraction)),
+             Bgr(color), cv::FILLED, cv::LINE_AA, kFractionBits);
 }
 
 void AddTail(const std::vector<Segment>& path, Rgb color, int width_px,
@@ -111,31 +136,26 @@ void DrawText(const std::string& text, cv::Point top_left, const Font& font, Rgb
               cv::FONT_HERSHEY_SIMPLEX, font.scale, Bgr(color), font.thickness, cv::LINE_AA);
 }
 
-void DrawPlate(const std::string& text, cv::Point top_left, int text_px, Rgb fill, cv::Mat& image) {
+void DrawPlate(const std::string& text, cv::Point top_left, int text_px, Rgb fill, Canvas& canvas) {
   const Font font(text_px);
   const cv::Size size = font.SizeOf(text);
-  const cv::Point at(std::clamp(top_left.x, 0, std::max(0, image.cols - size.width)),
-                     std::clamp(top_left.y, 0, std::max(0, image.rows - size.height)));
-  cv::rectangle(image, cv::Rect(at, size), Bgr(fill), cv::FILLED);
+  const cv::Point at(std::clamp(top_left.x, 0, std::max(0, canvas.pixels.cols - size.width)),
+                     std::clamp(top_left.y, 0, std::max(0, canvas.pixels.rows - size.height)));
   const double luma = 0.299 * fill.red + 0.587 * fill.green + 0.114 * fill.blue;
-  DrawText(text, at, font, luma > 115.0 ? Rgb{0, 0, 0} : kWhite, image);
+  const Rgb color = luma > 115.0 ? Rgb{0, 0, 0} : kWhite;
+  if (canvas.svg == nullptr) {
+    cv::rectangle(canvas.pixels, cv::Rect(at, size), Bgr(fill), cv::FILLED);
+    DrawText(text, at, font, color, canvas.pixels);
+    return;
+  }
+  constexpr double kEmPerCapital = 1.4;
+  *canvas.svg += StrCat(
+      "<g transform=\"translate(", at.x, " ", at.y, ")\"><rect width=\"", size.width,
+      "\" height=\"", size.height, "\" fill=\"", Hex(fill), "\"/><text x=\"", font.gap_px,
+      "\" y=\"", size.height - font.gap_px, "\" fill=\"", Hex(color), "\" font-size=\"",
+      kEmPerCapital * text_px, "\" textLength=\"", size.width - 2 * font.gap_px,
+      "\" lengthAdjust=\"spacingAndGlyphs\">", HtmlEscaped(Printable(text)), "</text></g>\n");
 }
-
-namespace {
-
-struct Format {
-  const char* name;
-  const char* extension;
-  const char* code;
-  int backend;
-};
-
-constexpr Format kFormats[] = {{"MP4 (H.264)", ".mp4", "avc1", cv::CAP_FFMPEG},
-                               {"WebM (VP9)", ".webm", "VP90", cv::CAP_FFMPEG},
-                               {"WebM (VP8)", ".webm", "VP80", cv::CAP_FFMPEG},
-                               {"AVI (Motion JPEG)", ".avi", "MJPG", cv::CAP_OPENCV_MJPEG}};
-
-}  // namespace
 
 cv::Mat Grid(const std::vector<cv::Mat>& images, int columns) {
   constexpr int kGap_px = 4;
@@ -180,47 +200,6 @@ std::string PngBytes(const cv::Mat& image) {
 std::string JpegBytes(const cv::Mat& image, int quality) {
   return EncodeImage(".jpg", image,
                      {cv::IMWRITE_JPEG_QUALITY, quality, cv::IMWRITE_JPEG_OPTIMIZE, 1});
-}
-
-VideoFile::VideoFile(const std::filesystem::path& stem, cv::Size size, double frames_per_second)
-    : size_(size.width / 2 * 2, size.height / 2 * 2) {
-  // No messages about unavailable formats, since the next one is tried.
-  const auto level = cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  for (const Format& format : kFormats) {
-    path_ = stem.string() + format.extension;
-    format_ = format.name;
-    const char* code = format.code;
-    try {
-      video_.open(path_.string(), format.backend,
-                  cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]), frames_per_second,
-                  size_);
-    } catch (const cv::Exception&) {  // not open, then
-    }
-    if (video_.isOpened()) break;
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  cv::utils::logging::setLogLevel(level);
-  if (video_.isOpened()) return;
-  ThrowError(stem.string(), "an OpenCV that writes no video here",
-             "one with H.264, VP9, VP8 or Motion JPEG");
-}
-
-void VideoFile::Add(const cv::Mat& image) {
-  const cv::Rect kept({}, size_);
-  if ((cv::Rect({}, image.size()) & kept) != kept) {
-    ThrowError(path_.string(), StrCat("a frame of ", image.cols, "x", image.rows, " pixels"),
-               StrCat(size_.width, "x", size_.height));
-  }
-  video_.write(image(kept));
-}
-
-void VideoFile::Close() {
-  video_.release();
-  std::error_code error;
-  if (std::filesystem::file_size(path_, error) == 0 || error) {
-    ThrowError(path_.string(), "a video of which nothing was written", "room for it");
-  }
 }
 
 }  // namespace cvo::reports

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <opencv2/core/mat.hpp>
-#include <opencv2/videoio.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +17,12 @@ namespace cvo::reports {
 inline constexpr Rgb kDark{20, 21, 25};
 inline constexpr Rgb kWhite{255, 255, 255};
 
+// Where marks are drawn: on the pixels or, if `svg` is set, appended to it as elements over them.
+struct Canvas {
+  cv::Mat pixels;
+  std::string* svg = nullptr;
+};
+
 using Segment = std::pair<cv::Point2d, cv::Point2d>;
 
 struct Stroke {
@@ -30,14 +34,14 @@ struct Stroke {
 
 // Draws lines with dark rims, which are visible on any background. All rims are drawn first, so
 // that none covers another stroke.
-void DrawStrokes(const std::vector<Stroke>& strokes, cv::Mat& image);
+void DrawStrokes(const std::vector<Stroke>& strokes, Canvas& canvas);
 
 // Appends a path that widens towards its end.
 void AddTail(const std::vector<Segment>& path, Rgb color, int width_px,
              std::vector<Stroke>& strokes);
 
 // A filled circle with smoothed edges.
-void DrawDisc(cv::Point2d center, double radius_px, Rgb color, cv::Mat& image);
+void DrawDisc(cv::Point2d center, double radius_px, Rgb color, Canvas& canvas);
 
 // The size of letters, and of the gap that is left around a text.
 struct Font {
@@ -54,7 +58,7 @@ void DrawText(const std::string& text, cv::Point top_left, const Font& font, Rgb
               cv::Mat& image);
 
 // Draws text on a filled rectangle, moved into the image.
-void DrawPlate(const std::string& text, cv::Point top_left, int text_px, Rgb fill, cv::Mat& image);
+void DrawPlate(const std::string& text, cv::Point top_left, int text_px, Rgb fill, Canvas& canvas);
 
 cv::Scalar Bgr(Rgb color);
 
@@ -69,26 +73,5 @@ std::vector<std::size_t> EvenlySpaced(std::size_t count, std::size_t most);
 // OpenCV cannot encode the image.
 std::string PngBytes(const cv::Mat& image);
 std::string JpegBytes(const cv::Mat& image, int quality);  // 0 to 100
-
-// A video file in the first of these formats that OpenCV can write on this machine: MP4 (H.264),
-// WebM (VP9, VP8), AVI (Motion JPEG). The file is complete once Close has returned.
-class VideoFile {
- public:
-  // Writes <stem>.mp4, .webm or .avi. Throws Error if no format can be written. An odd width or
-  // height loses its last column or row, since H.264 requires even sizes.
-  VideoFile(const std::filesystem::path& stem, cv::Size size, double frames_per_second);
-
-  void Add(const cv::Mat& image);
-  void Close();
-
-  const std::filesystem::path& path() const { return path_; }
-  const std::string& format() const { return format_; }  // "MP4 (H.264)"
-
- private:
-  cv::VideoWriter video_;
-  std::filesystem::path path_;
-  std::string format_;
-  cv::Size size_;
-};
 
 }  // namespace cvo::reports

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
+#include "core/files/text/utf8.h"
 #include "reports/overlays/canvas.h"
 
 namespace cvo::reports {
@@ -100,7 +101,7 @@ cv::Mat Background(const cv::Mat& image, const CameraInfo& camera, const CameraI
 }
 
 // Detections, and the boxes of true bodies, dashed.
-void DrawImageBoxes(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& picture) {
+void DrawImageBoxes(const OverlayFrame& frame, const OverlayStyle& style, Canvas& canvas) {
   std::vector<Stroke> strokes;
   const auto add = [&](const std::vector<ImageBox>& boxes, bool dashed) {
     for (const ImageBox& box : boxes) {
@@ -117,11 +118,11 @@ void DrawImageBoxes(const OverlayFrame& frame, const OverlayStyle& style, cv::Ma
   };
   add(frame.detections, false);
   add(frame.truth, true);
-  DrawStrokes(strokes, picture);
+  DrawStrokes(strokes, canvas);
 }
 
 // Landmarks on bodies, which matter most, are drawn last; wrong labels get a white ring.
-void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat& picture) {
+void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, Canvas& canvas) {
   for (const bool on_body : {false, true}) {
     for (const LabelledLandmark& landmark : frame.landmarks) {
       const bool wrong = style.wrong && landmark.wrong;
@@ -135,9 +136,9 @@ void DrawLandmarks(const OverlayFrame& frame, const OverlayStyle& style, cv::Mat
       const Rgb color = landmark.label > kStaticLabel ? ClusterColor(landmark.label)
                         : outlier                     ? kWhite
                                                       : kStatic;
-      if (wrong) DrawDisc(at, radius_px + 3.0, kWhite, picture);
-      if (!outlier) DrawDisc(at, radius_px + 1.0, kDark, picture);
-      DrawDisc(at, radius_px, color, picture);
+      if (wrong) DrawDisc(at, radius_px + 3.0, kWhite, canvas);
+      if (!outlier) DrawDisc(at, radius_px + 1.0, kDark, canvas);
+      DrawDisc(at, radius_px, color, canvas);
     }
   }
 }
@@ -166,7 +167,7 @@ void AddArrow(const Segment& arrow, Rgb color, int width_px, std::vector<Stroke>
 
 // Boxes, where bodies have been in view in the last two seconds, and where they go.
 void DrawClusters(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
-                  cv::Mat& picture) {
+                  Canvas& canvas) {
   std::vector<Stroke> strokes;
   std::vector<Stroke> arrows;
   for (const ClusterShape& cluster : frame.clusters) {
@@ -178,30 +179,30 @@ void DrawClusters(const OverlayFrame& frame, const CameraInfo& camera, const Ove
     std::vector<Segment> path;
     for (std::size_t i = 1; i < cluster.tail.size(); ++i) {
       const auto part = ProjectSegment(cluster.tail[i - 1], cluster.tail[i], camera);
-      if (part && IsInView(*part, picture.size())) path.push_back(*part);
+      if (part && IsInView(*part, canvas.pixels.size())) path.push_back(*part);
     }
     AddTail(path, color, style.line_px, strokes);
     const auto arrow =
         cluster.next ? ProjectSegment(cluster.center(), *cluster.next, camera) : std::nullopt;
     if (arrow) AddArrow(*arrow, color, style.line_px, arrows);
   }
-  DrawStrokes(strokes, picture);
-  DrawStrokes(arrows, picture);
+  DrawStrokes(strokes, canvas);
+  DrawStrokes(arrows, canvas);
 }
 
 // Draws ids and classes at the top left corners of the boxes.
 void DrawNames(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
-               cv::Mat& picture) {
+               Canvas& canvas) {
   constexpr std::size_t kLongestClass = 16;
   const int height_px = Font(style.text_px).SizeOf("X").height;
   for (const ClusterShape& cluster : frame.clusters) {
     const auto box = SeenRect(cluster, camera);
     if (!box) continue;
     std::string name = StrCat(cluster.id);
-    if (style.names) name += " " + cluster.category.substr(0, kLongestClass);
+    if (style.names) name += StrCat(" ", cluster.category.substr(0, kLongestClass));
     if (style.names && cluster.predicted) name += " (predicted)";
     DrawPlate(name, box->tl() - cv::Point(0, height_px), style.text_px, ClusterColor(cluster.id),
-              picture);
+              canvas);
   }
 }
 
@@ -219,19 +220,19 @@ struct GroundMap {
 
 // Draws lines at half the range and at the whole range, and the edges of the field of view.
 void DrawGround(const GroundMap& map, const CameraInfo& camera, const OverlayStyle& style,
-                cv::Mat& picture) {
+                Canvas& canvas) {
   const double range_m = map.range_m;
   std::vector<Stroke> grid;
   for (const double ahead_m : {0.5 * range_m, range_m}) {
     grid.push_back({{map(-2.0 * range_m, ahead_m), map(2.0 * range_m, ahead_m)}, kGrid});
     DrawText(FormatGeneral(ahead_m, 2) + " m", {0, static_cast<int>(map(0.0, ahead_m).y) + 1},
-             Font(style.text_px), kStatic, picture);
+             Font(style.text_px), kStatic, canvas.pixels);
   }
   for (const double u_px : {0.0, 1.0 * camera.width_px}) {
     const double slope = (u_px - camera.cx_px) / camera.fx_px;
     grid.push_back({{map(0.0, 0.0), map(2.0 * slope * range_m, 2.0 * range_m)}, kGrid});
   }
-  DrawStrokes(grid, picture);
+  DrawStrokes(grid, canvas);
 }
 
 void DrawInset(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
@@ -269,18 +270,42 @@ OverlayStyle StyleFor(const CameraInfo& camera, int width_px) {
   return style;
 }
 
+namespace {
+
+void DrawMarks(const OverlayFrame& frame, const CameraInfo& scaled, const OverlayStyle& style,
+               Canvas& canvas) {
+  DrawImageBoxes(frame, style, canvas);
+  DrawLandmarks(frame, style, canvas);
+  if (style.boxes) DrawClusters(frame, scaled, style, canvas);
+  if (!style.plain) DrawNames(frame, scaled, style, canvas);
+}
+
+}  // namespace
+
 cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const CameraInfo& camera,
                     const OverlayStyle& style) {
   const CameraInfo scaled = ScaledCamera(camera, style.scale);
-  cv::Mat picture = Background(image, camera, scaled);
-  DrawImageBoxes(frame, style, picture);
-  DrawLandmarks(frame, style, picture);
-  if (style.boxes) DrawClusters(frame, scaled, style, picture);
+  Canvas canvas{Background(image, camera, scaled)};
+  cv::Mat& picture = canvas.pixels;
+  DrawMarks(frame, scaled, style, canvas);
   if (style.plain) return picture;
-  DrawNames(frame, scaled, style, picture);
   if (style.inset) DrawInset(frame, scaled, style, picture);
   if (style.status) cv::vconcat(picture, StatusBar(frame, style, picture.cols), picture);
   return picture;
+}
+
+std::string OverlaySvg(const cv::Mat& image, const OverlayFrame& frame, const CameraInfo& camera,
+                       const OverlayStyle& style) {
+  const CameraInfo scaled = ScaledCamera(camera, style.scale);
+  std::string marks;
+  Canvas canvas{Background(image, camera, scaled), &marks};
+  DrawMarks(frame, scaled, style, canvas);
+  const std::string size =
+      StrCat(" width=\"", scaled.width_px, "\" height=\"", scaled.height_px, "\"");
+  return StrCat("<svg xmlns=\"http://www.w3.org/2000/svg\"", size, " viewBox=\"0 0 ",
+                scaled.width_px, " ", scaled.height_px, "\" font-family=\"sans-serif\" ",
+                "stroke-linecap=\"round\">\n<image", size, " href=\"data:image/png;base64,",
+                Base64(PngBytes(canvas.pixels)), "\"/>\n", marks, "</svg>\n");
 }
 
 void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,
@@ -290,7 +315,8 @@ void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const Ove
     if (SeenRect(cluster, camera)) seen.push_back(&cluster);
   }
   const GroundMap map{frame.range_m, picture.size()};
-  DrawGround(map, camera, style, picture);
+  Canvas canvas{picture};
+  DrawGround(map, camera, style, canvas);
   std::vector<Stroke> strokes;
   for (const ClusterShape* cluster : seen) {
     const Rgb color = ClusterColor(cluster->id);
@@ -309,11 +335,11 @@ void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const Ove
       AddArrow({map(cluster->center()), map(*cluster->next)}, color, 1, strokes);
     }
   }
-  DrawStrokes(strokes, picture);
+  DrawStrokes(strokes, canvas);
   for (const ClusterShape* cluster : seen) {
     const cv::Point2d center = map(cluster->center());
     DrawPlate(StrCat(cluster->id), {static_cast<int>(center.x) + 4, static_cast<int>(center.y) + 2},
-              std::max(7, style.text_px - 2), ClusterColor(cluster->id), picture);
+              std::max(7, style.text_px - 2), ClusterColor(cluster->id), canvas);
   }
 }
 

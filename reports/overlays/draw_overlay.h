@@ -33,6 +33,10 @@ OverlayStyle StyleFor(const CameraInfo& camera, int width_px);
 cv::Mat DrawOverlay(const cv::Mat& image, const OverlayFrame& frame, const CameraInfo& camera,
                     const OverlayStyle& style);
 
+// The same as SVG: marks and names as vectors over the image; neither status nor inset.
+std::string OverlaySvg(const cv::Mat& image, const OverlayFrame& frame, const CameraInfo& camera,
+                       const OverlayStyle& style);
+
 // Draws a view of the bodies from above over what `picture` already shows. The camera is at the
 // middle of the lower edge, looking up.
 void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const OverlayStyle& style,

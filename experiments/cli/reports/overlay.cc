@@ -103,18 +103,10 @@ std::vector<std::string> Titles(const std::vector<reports::OverlayRun>& runs,
   return UniqueNames(variants, folders);
 }
 
-std::string ImageName(int frame) {
+std::string ImageName(int frame, bool svg) {
   std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "%06d.png", frame);
+  std::snprintf(name.data(), name.size(), svg ? "%06d.svg" : "%06d.png", frame);
   return name.data();
-}
-
-double FramesPerSecond(const reports::OverlayRun& run, const std::vector<int>& frames) {
-  if (frames.size() < 2) return 10.0;
-  const double span_s =
-      reports::FrameOf(run, frames.back()).time_s - reports::FrameOf(run, frames.front()).time_s;
-  const double rate = static_cast<double>(frames.size() - 1) / std::max(span_s, 1e-3);
-  return std::clamp(std::round(1000.0 * rate) / 1000.0, 1.0, 60.0);
 }
 
 // Draws frames of one run, or of several side by side, and writes the files.
@@ -127,6 +119,7 @@ class OverlayWriter {
 
  private:
   bool wide() const { return camera_.width_px > 2 * camera_.height_px; }
+  reports::OverlayStyle StyleOf(int width_px) const;
   // All runs side by side, or one below the other if they are wide; each is `width_px` wide.
   cv::Mat Draw(const cv::Mat& image, int frame, int width_px) const;
   void WriteFrame(int frame, const fs::path& folder);
@@ -142,8 +135,6 @@ class OverlayWriter {
   std::optional<RunImages> images_;
   std::vector<int> on_sheet_;
   std::vector<cv::Mat> tiles_;
-  std::optional<ScratchFolder> work_;
-  std::optional<reports::VideoFile> video_;
 };
 
 OverlayWriter::OverlayWriter(const OverlayFlags& flags, const std::vector<std::string>& folders)
@@ -176,17 +167,21 @@ OverlayWriter::OverlayWriter(const OverlayFlags& flags, const std::vector<std::s
   }
 }
 
-cv::Mat OverlayWriter::Draw(const cv::Mat& image, int frame, int width_px) const {
+reports::OverlayStyle OverlayWriter::StyleOf(int width_px) const {
   reports::OverlayStyle style = reports::StyleFor(camera_, width_px);
   style.inset = style.inset && !inferred_;
   style.boxes = !inferred_;
   style.wrong = inferred_;
   style.plain = flags_.plain;
+  return style;
+}
+
+cv::Mat OverlayWriter::Draw(const cv::Mat& image, int frame, int width_px) const {
   std::vector<cv::Mat> pictures;
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     reports::OverlayFrame drawn = reports::FrameOf(runs_[i], frame);
     if (runs_.size() > 1) drawn.run = titles_[i];
-    pictures.push_back(reports::DrawOverlay(image, drawn, camera_, style));
+    pictures.push_back(reports::DrawOverlay(image, drawn, camera_, StyleOf(width_px)));
   }
   return reports::Grid(pictures, wide() ? 1 : static_cast<int>(pictures.size()));
 }
@@ -194,16 +189,13 @@ cv::Mat OverlayWriter::Draw(const cv::Mat& image, int frame, int width_px) const
 void OverlayWriter::WriteFrame(int frame, const fs::path& folder) {
   cv::Mat image = images_->Left(frame);
   if (image.empty()) image = cv::Mat::zeros(camera_.height_px, camera_.width_px, CV_8UC1);
-  const cv::Mat picture = Draw(image, frame, camera_.width_px);
   if (!flags_.no_images) {
-    WriteFilesAtomically(folder, {{ImageName(frame), reports::PngBytes(picture)}});
-  }
-  if (flags_.video) {
-    if (!video_) {
-      video_.emplace(work_.emplace().path() / "video", picture.size(),
-                     FramesPerSecond(runs_.front(), frames_));
-    }
-    video_->Add(picture);
+    const int width_px = camera_.width_px;
+    const std::string bytes =
+        flags_.svg ? reports::OverlaySvg(image, reports::FrameOf(runs_.front(), frame), camera_,
+                                         StyleOf(width_px))
+                   : reports::PngBytes(Draw(image, frame, width_px));
+    WriteFilesAtomically(folder, {{ImageName(frame, flags_.svg), bytes}});
   }
   if (std::find(on_sheet_.begin(), on_sheet_.end(), frame) == on_sheet_.end()) return;
   tiles_.push_back(Draw(image, frame, std::min(wide() ? 800 : 480, camera_.width_px)));
@@ -212,9 +204,10 @@ void OverlayWriter::WriteFrame(int frame, const fs::path& folder) {
 void OverlayWriter::Finish(const fs::path& folder) {
   const auto path = [&](const std::string& name) { return (folder / name).string(); };
   if (!flags_.no_images) {
-    std::cout << "written: " << path(ImageName(frames_.front()));
+    std::cout << "written: " << path(ImageName(frames_.front(), flags_.svg));
     if (frames_.size() > 1) {
-      std::cout << " to " << ImageName(frames_.back()) << " (" << frames_.size() << " images)";
+      std::cout << " to " << ImageName(frames_.back(), flags_.svg) << " (" << frames_.size()
+                << " images)";
     }
     std::cout << '\n';
   }
@@ -223,18 +216,12 @@ void OverlayWriter::Finish(const fs::path& folder) {
     WriteFilesAtomically(folder, {{kSheet, reports::PngBytes(sheet)}});
     std::cout << "written: " << path(kSheet) << " (" << tiles_.size() << " frames)\n";
   }
-  if (!video_) return;
-  video_->Close();
-  const std::string name = video_->path().filename().string();
-  WriteFilesAtomically(folder, {{name, ReadFileBytes(video_->path())}});
-  std::cout << "written: " << path(name) << " (" << video_->format() << ", "
-            << FrameRateText(FramesPerSecond(runs_.front(), frames_)) << ")\n";
 }
 
 int OverlayWriter::WriteAll() {
   std::vector<std::string> names;
   for (const int frame : frames_) {
-    if (!flags_.no_images) names.push_back(ImageName(frame));
+    if (!flags_.no_images) names.push_back(ImageName(frame, flags_.svg));
   }
   if (flags_.sheet) names.emplace_back(kSheet);
   const OutputFolder output = OpenOutput(flags_.output, names, read_);
@@ -258,6 +245,9 @@ int OverlayWriter::WriteAll() {
 int DrawOverlays(const OverlayFlags& flags) {
   const std::vector<std::string> folders =
       flags.suite.empty() ? flags.runs : SuiteRunFolders(flags);
+  if (flags.svg && folders.size() > 1) {
+    throw UsageError(StrCat("--svg: found ", folders.size(), " runs, expected one"));
+  }
   return OverlayWriter(flags, folders).WriteAll();
 }
 
@@ -297,11 +287,11 @@ void AddDrawingFlags(CLI::App& app, OverlayFlags& flags) {
       ->check(OneOf({"cluster", "inferred"}));
   app.add_flag("--sheet", flags.sheet,
                "also write DIR/sheet.png: evenly spaced frames in one image");
-  app.add_flag("--video", flags.video,
-               "also write DIR/video.mp4, or .webm or .avi if OpenCV cannot write MP4");
-  app.add_flag("--no-images", flags.no_images, "write only the sheet or video, no image per frame");
+  app.add_flag("--no-images", flags.no_images, "write only the sheet, no image per frame");
   app.add_flag("--truth", flags.truth, "also draw boxes around the true bodies, dashed");
   app.add_flag("--plain", flags.plain, "without names, line of text and bird's-eye view");
+  app.add_flag("--svg", flags.svg,
+               "of one run: DIR/000123.svg, with vectors over the image, instead of PNG files");
   AddQuiet(app, flags.quiet);
 }
 
@@ -323,7 +313,7 @@ Command AddOverlayCommand(CLI::App& program) {
       "labels): wrong labels, if the run has ground "
       "truth. Pictures at\nleast 600 pixels wide have a bird's-eye view of the bodies.\n"
       "Examples:\n"
-      "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet --video\n"
+      "  clustervo overlay results/indoor_1 -o pictures --every 5 --sheet\n"
       "  clustervo overlay RUN_2D RUN_2D3D RUN_FULL --frame 120 -o figure   # as labelled by each\n"
       "  clustervo overlay --suite results/ablation --sequence room_1000 --variant 2d,2d3d,full "
       "\\\n"
@@ -333,8 +323,8 @@ Command AddOverlayCommand(CLI::App& program) {
     if (!flags->suite.empty() && flags->sequence.empty()) {
       throw CLI::RequiredError("--suite: --sequence NAME");
     }
-    if (flags->no_images && !flags->sheet && !flags->video) {
-      throw CLI::RequiredError("--no-images: --sheet or --video");
+    if (flags->no_images && !flags->sheet) {
+      throw CLI::RequiredError("--no-images: --sheet");
     }
   });
   return {app, [flags] { return DrawOverlays(*flags); }};

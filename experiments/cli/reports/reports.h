@@ -59,10 +59,10 @@ struct OverlayFlags {
   int every = 1;
   std::string labels = {};
   bool sheet = false;
-  bool video = false;
   bool no_images = false;
   bool truth = false;  // also the boxes of the true bodies
   bool plain = false;  // OverlayStyle::plain
+  bool svg = false;    // vectors over the image
   bool quiet = false;
 };
 

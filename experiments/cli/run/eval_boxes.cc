@@ -78,6 +78,7 @@ void PrintAveragePrecisions(const BoxFlags& flags, const std::vector<ApFrame>& f
   protocol.truncation = *EnumOf<TruncationRule>(flags.truncation);
   TextTable table({"AP, percent", "points", "easy", "moderate", "hard"});
   std::vector<std::string> counts;
+  bool few = false;
   for (const BoxSpace space : SpacesOf(frames)) {
     protocol.space = space;
     const auto levels = EvaluateAp(frames, protocol);
@@ -93,11 +94,17 @@ void PrintAveragePrecisions(const BoxFlags& flags, const std::vector<ApFrame>& f
     counts = {"labels", ""};
     for (const AveragePrecision& level : levels) {
       counts.push_back(std::to_string(level.valid_labels));
+      few = few || level.valid_labels < static_cast<int>(kRecallSlots);
     }
   }
   table.Add(std::move(counts));
   out << flags.category << ", IoU > " << protocol.least_overlap << ", truncation limits "
-      << flags.truncation << ", DontCare regions in 2D only\n\n";
+      << flags.truncation << ", DontCare regions in 2D only\n";
+  if (few) {
+    out << "fewer than " << kRecallSlots << " labels, of which KITTI's devkit would leave recall "
+        << "points empty: each point takes the score that reaches it\n";
+  }
+  out << '\n';
   table.Print(out);
 }
 

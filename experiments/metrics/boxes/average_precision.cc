@@ -270,10 +270,18 @@ void MatchedFrame::AddCounts(double least_score, ApCounts& counts) const {
   }
 }
 
-// Returns at most 41 scores of true positives, those whose recalls are nearest to 0, 1/40, ..., 1.
+// Returns at most 41 scores of true positives, those whose recalls are nearest to 0, 1/40, ..., 1;
+// of fewer labels than 41, those that first reach each of these recalls.
 std::vector<double> ScoreThresholds(std::vector<double> scores, int valid_labels) {
   std::sort(scores.begin(), scores.end(), std::greater<>());
   std::vector<double> thresholds;
+  const auto labels = static_cast<std::size_t>(valid_labels);
+  for (std::size_t slot = 0; labels < kRecallSlots && slot < kRecallSlots; ++slot) {
+    constexpr std::size_t kSteps = kRecallSlots - 1;
+    const std::size_t rank = std::max<std::size_t>(1, (slot * labels + kSteps - 1) / kSteps);
+    if (rank <= scores.size()) thresholds.push_back(scores[rank - 1]);
+  }
+  if (labels < kRecallSlots) return thresholds;
   double wanted = 0.0;
   for (std::size_t i = 0; i < scores.size(); ++i) {
     const bool is_last = i + 1 == scores.size();

@@ -47,7 +47,9 @@ constexpr std::array<const char*, 2> EnumNames(TruncationRule) { return {"applie
 
 // What two values of average precision must have in common to be comparable. The rules are those of
 // the KITTI object devkit (cpp/evaluate_object.cpp), by which DontCare regions, having no 3D box,
-// excuse false positives in the image only. The fields are the choices in which published values
+// excuse false positives in the image only. One rule differs: the devkit takes each score for one
+// recall point, so that 10 labels found without a fault get 3/11; of fewer than 41 labels, we take
+// a score for each point that it reaches. The fields are the choices in which published values
 // differ.
 struct ApProtocol {
   std::string category = "Car";

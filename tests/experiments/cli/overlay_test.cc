@@ -79,6 +79,9 @@ TEST_F(CliOverlay, SelectsFrames) {
   ASSERT_EQ(run_some.exit_code, 0) << run_some.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 2);
   EXPECT_TRUE(fs::exists(out() / "000003.png"));
+  ASSERT_EQ(Overlay({run().string(), "--frame", "2", "--svg"}, "vectors").exit_code, 0);
+  EXPECT_THAT(ReadFile(out("vectors") / "000002.svg"),
+              AllOf(HasSubstr("<image "), HasSubstr("<circle ")));
 }
 
 TEST_F(CliOverlay, DrawsRunsSideBySide) {
@@ -88,14 +91,6 @@ TEST_F(CliOverlay, DrawsRunsSideBySide) {
   ASSERT_EQ(both.exit_code, 0) << both.err;
   EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
   EXPECT_GT(ReadImageFile(out() / "000004.png", cv::IMREAD_COLOR).cols, 2 * test::kTinyWidth_px);
-}
-
-TEST_F(CliOverlay, WritesOnlyAVideoAndReportsItsFormat) {
-  MakeRun();
-  const ProcessResult video = Overlay({run().string(), "--video", "--no-images"});
-  ASSERT_EQ(video.exit_code, 0) << video.err;
-  EXPECT_THAT(video.out, AllOf(HasSubstr("video."), HasSubstr("10 frames/s")));
-  EXPECT_EQ(std::distance(fs::directory_iterator(out()), {}), 1);
 }
 
 TEST_F(CliOverlay, ReportsMissingAndTruncatedLandmarks) {
@@ -116,6 +111,7 @@ TEST_F(CliOverlay, RefusesInvalidInput) {
   ExpectError(Overlay({run().string(), "--frame", "60"}),
               "--frame 60: found no such frame in the run, expected 0 to 5", 2);
   ExpectError(Overlay({run().string(), "--frames", "8:9"}), "--frames 8:9", 2);
+  ExpectError(Overlay({run().string(), "RUN", "--svg"}), "--svg: found 2 runs, expected one", 2);
   ExpectError(RunProgram({"overlay", run().string(), "-o", "/proc/nowhere"}), "/proc/nowhere");
   fs::create_directories(out("blocked") / "000002.png");
   ExpectError(Overlay({run().string(), "--frame", "2"}, "blocked"), "000002.png");

@@ -87,7 +87,7 @@ TEST(SuiteFigures, NameEachMissingFileOnce) {
   for (const std::string& reason : drawing.not_drawn) {
     named += reason.find("frames") != std::string::npos ? 1 : 0;
   }
-  EXPECT_GE(named, 1U) << "the frames of these results cannot be read";
+  EXPECT_EQ(named, 1U) << "the frames of these results cannot be read";
   SuiteResults readable;
   Json result = Result();
   result["frames"] = test::RunFiles().result["frames"];

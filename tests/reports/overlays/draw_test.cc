@@ -13,7 +13,6 @@
 #include "reports/overlays/canvas.h"
 #include "reports/overlays/draw_overlay.h"
 #include "tests/support/error_message.h"
-#include "tests/support/temp_folder.h"
 
 namespace cvo::reports {
 namespace {
@@ -180,6 +179,19 @@ TEST(DrawOverlay, TheNameIsAboveTheTopLeftCornerOfTheBox) {
   EXPECT_GT(filled(cv::Rect({0, 0}, size)), above.area() / 2) << "within the image";
 }
 
+TEST(DrawOverlay, AsSvgHasMarksOverTheImageAndInertText) {
+  OverlayFrame frame;
+  frame.clusters = {Cube(2)};
+  frame.clusters[0].category = "<b>";
+  frame.landmarks = {{100.0, 60.0, 2}};
+  const std::string svg = OverlaySvg(FlatImage(), frame, FlatCamera(), PlainStyle());
+  EXPECT_THAT(svg, testing::MatchesRegex("<svg [^>]*viewBox=\"0 0 320 240\"(.|\n)*</svg>\n"));
+  EXPECT_THAT(svg, HasSubstr("<image width=\"320\" height=\"240\" href=\"data:image/png;base64,"));
+  EXPECT_THAT(svg, HasSubstr("<circle transform=\"translate(100.50 60.50)\" r=\"2.60\""));
+  EXPECT_THAT(svg, HasSubstr("<path d=\"M110.50 70.50L210.50 70.50\"")) << "an edge";
+  EXPECT_THAT(svg, HasSubstr(">2 &lt;b&gt;</text>"));
+}
+
 TEST(DrawOverlay, DetectionIsAThinWhiteRectangle) {
   OverlayFrame frame;
   frame.detections = {{40.2, 50.4, 80.0, 90.0}};
@@ -328,32 +340,6 @@ TEST(Encode, GivesBackTheImage) {
   EXPECT_TRUE(SameImage(cv::imdecode(bytes, cv::IMREAD_COLOR), image));
   EXPECT_LT(JpegBytes(image, 20).size(), JpegBytes(image, 95).size() + 1);
   EXPECT_THAT(ErrorMessage([] { PngBytes(cv::Mat()); }), HasSubstr(".png"));
-}
-
-std::string VideoBytes(const std::filesystem::path& stem) {
-  VideoFile video(stem, {65, 49}, 10.0);
-  for (int i = 0; i < 5; ++i) {
-    video.Add(Filled(65, 49, {static_cast<std::uint8_t>(50 * i), 100, 100}));
-  }
-  video.Close();
-  return test::ReadFile(video.path());
-}
-
-TEST(VideoFile, WritesTheSameBytesEveryTime) {
-  const test::TempFolder folder;
-  const std::string bytes = VideoBytes(folder.path() / "a");
-  EXPECT_GT(bytes.size(), 500U);
-  EXPECT_EQ(bytes, VideoBytes(folder.path() / "b"));
-}
-
-TEST(VideoFile, ReportsWriteErrors) {
-  const test::TempFolder folder;
-  EXPECT_THAT(ErrorMessage([&] {
-                VideoFile(folder.path() / "no" / "a", {64, 48}, 10.0);
-              }),
-              HasSubstr("writes no video"));
-  VideoFile video(folder.path() / "a", {64, 48}, 10.0);
-  EXPECT_THAT(ErrorMessage([&] { video.Add(Filled(32, 24, {})); }), HasSubstr("a frame of 32x24"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 namespace cvo::average_precision_test {
 namespace {
@@ -36,16 +37,22 @@ AveragePrecision Moderate(const std::vector<ApFrame>& frames, const ApProtocol& 
 const ApFrame kFound = {{Box("Car", 0)}, {Scored(Box("Car", 0), 0.9)}};
 const ApFrame kMissed = {{Box("Car", 0)}, {}};
 
-// All cars are found, with distinct scores; 41 or more true positives fill every slot.
+// All cars are found, with distinct, equal or no scores. From 41 labels on, the devkit's thresholds
+// fill every slot.
 TEST(AveragePrecision, IsOneIfAllAreFound) {
-  std::vector<ApFrame> frames;
-  for (int i = 0; i < 50; ++i) {
-    frames.push_back({{Box("Car", 0)}, {Scored(Box("Car", 0), 1.0 - 0.01 * i)}});
-  }
-  for (const AveragePrecision& level : EvaluateAp(frames, {})) {
-    EXPECT_EQ(level.ap11, 1.0);  // not above 1, as a sum of rounded terms would be
-    EXPECT_DOUBLE_EQ(level.ap40, 1.0);
-    EXPECT_EQ(level.valid_labels, 50);
+  const std::array<std::function<ObjectBox(int)>, 3> detections = {
+      [](int i) { return Scored(Box("Car", 0), 1.0 - 0.01 * i); },
+      [](int) { return Scored(Box("Car", 0), 0.3); }, [](int) { return Box("Car", 0); }};
+  for (const auto& detection : detections) {
+    for (const int count : {1, 2, 10, 39, 40, 41, 42, 50, 61, 200}) {
+      std::vector<ApFrame> frames;
+      for (int i = 0; i < count; ++i) frames.push_back({{Box("Car", 0)}, {detection(i)}});
+      for (const AveragePrecision& level : EvaluateAp(frames, {})) {
+        EXPECT_EQ(level.ap11, 1.0) << count;  // not above 1, as a sum of rounded terms would be
+        EXPECT_DOUBLE_EQ(level.ap40, 1.0) << count;
+        EXPECT_EQ(level.valid_labels, count);
+      }
+    }
   }
 }
 
@@ -149,12 +156,12 @@ TEST(AveragePrecision, PrecisionFallsWithRecall) {
   }
   frames[30].detections = {Scored(Box("Car", 500), 0.855)};  // ranks 16th
   const AveragePrecision ap = Moderate(frames);
-  EXPECT_DOUBLE_EQ(ap.precision[14], 1.0);
-  EXPECT_DOUBLE_EQ(ap.precision[15], 20.0 / 21.0);
-  EXPECT_DOUBLE_EQ(ap.precision[19], 20.0 / 21.0);
-  EXPECT_DOUBLE_EQ(ap.precision[20], 0.0);
-  EXPECT_NEAR(ap.ap40, (14.0 + 5.0 * 20.0 / 21.0) / 40.0, 1e-12);
-  EXPECT_NEAR(ap.ap11, (4.0 + 20.0 / 21.0) / 11.0, 1e-12);
+  EXPECT_DOUBLE_EQ(ap.precision[15], 1.0);
+  EXPECT_DOUBLE_EQ(ap.precision[16], 20.0 / 21.0);
+  EXPECT_DOUBLE_EQ(ap.precision[20], 20.0 / 21.0);
+  EXPECT_DOUBLE_EQ(ap.precision[21], 0.0);
+  EXPECT_NEAR(ap.ap40, (15.0 + 5.0 * 20.0 / 21.0) / 40.0, 1e-12);
+  EXPECT_NEAR(ap.ap11, (4.0 + 2 * 20.0 / 21.0) / 11.0, 1e-12);
 }
 
 // With more true positives than slots, thresholds are those whose recall is nearest to the slot's.
@@ -184,7 +191,7 @@ TEST(AveragePrecision, IgnoredBoxesAreTakenLast) {
   EXPECT_EQ(Moderate({frame, kFound}).precision[0], 1.0);
   frame.detections = {small};
   EXPECT_EQ(Moderate({frame, kFound}).precision[0], 1.0);
-  EXPECT_EQ(Moderate({frame, kFound}).precision[1], 0.0);
+  EXPECT_EQ(Moderate({frame, kFound}).precision[21], 0.0);
   frame.detections = {Scored(Box("Car", 500, 50, 26.0), 0.92)};
   EXPECT_EQ(Moderate({frame, kFound}).precision[0], 0.5) << "false, and not small";
 }
