@@ -51,13 +51,14 @@ void CheckBodies(const std::vector<BodyRow>& bodies, const std::string& where) {
   }
 }
 
-// Of a system, the hashes of its files are the options.
+// Of a system, the options are the identity of its program, or the hashes of its files.
 std::string JobOf(const RunSummary& run) {
   Json options = run.options;
   if (run.system) {
     const Json objects = run.system->value("objects", Json());
     options = {{"camera", run.system->value("camera", "")},
                {"objects", objects.is_null() ? Json("") : objects}};
+    if (run.system->contains("program")) options = run.system->at("program");
   }
   const std::string detections = run.system ? "" : run.sequence.detections_hash;
   return JobIdentity({IdentityOf(run.build), run.variant, options, run.sequence.content, detections,

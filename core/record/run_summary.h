@@ -124,12 +124,13 @@ struct TimingData {
   RunPaths paths;
   double peak_memory_mb = 0.0;  // 10^6 bytes, of the whole process
   double wall_s = 0.0;
+  double cpu_s = 0.0;  // of all threads, of the whole process
   double frames_per_second = 0.0;
   std::map<std::string, StageSummary> stages;
   Json frames = Json::array();  // {frame, <stage>_ms ...}
 
-  CVO_FIELDS(job, date, host, cpu, cpus, threads, paths, peak_memory_mb, wall_s, frames_per_second,
-             stages, frames);
+  CVO_RECORD(CVO_FIELD(job, date, host, cpu, cpus, threads, paths, peak_memory_mb, wall_s)
+                 CVO_ADDED(cpu_s) CVO_FIELD(frames_per_second, stages, frames));
 };
 
 struct SequenceInfo {

@@ -29,7 +29,8 @@ namespace fs = std::filesystem;
 
 struct ExperimentFlags {
   std::string suite;
-  SuiteSweep sweep;  // with scenes: instead of `suite`
+  SuiteSweep sweep;  // with scenes or systems: instead of `suite`
+  bool is_sweep() const { return !sweep.scenes.empty() || !sweep.systems.empty(); }
   std::string output;
   std::string data;
   SuiteOverrides overrides;
@@ -44,13 +45,14 @@ struct ExperimentFlags {
 
 // Throws Error for an invalid suite.
 Suite LoadSuiteOf(const ExperimentFlags& flags) {
-  if (!flags.sweep.scenes.empty()) {
+  if (flags.is_sweep()) {
     const fs::path folder = NormalFolder(fs::absolute(flags.output));
     const Json json = SweepDefinition(folder.filename().string(), flags.sweep);
-    return LoadNamed("", [&] { return Override(ParseSuite(json, "--scenes"), flags.overrides); });
+    const std::string where = flags.sweep.systems.empty() ? "--scenes" : flags.sweep.systems;
+    return LoadNamed("", [&] { return Override(ParseSuite(json, where), flags.overrides); });
   }
   if (flags.suite.empty()) {
-    throw UsageError("no suite: give SUITE (clustervo list suites) or --scenes");
+    throw UsageError("no suite: give SUITE (clustervo list suites), --scenes or --systems");
   }
   return LoadNamed(flags.suite, [&] { return Override(LoadSuite(flags.suite), flags.overrides); });
 }
@@ -135,7 +137,7 @@ class SuiteRun {
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(MakeEngine(flags, suite_, folder_)) {
-    if (flags.sweep.scenes.empty()) return;
+    if (!flags.is_sweep()) return;
     WriteFilesAtomically(folder_.root, {{"suite.json", DumpJson(suite_.definition)}});
   }
 
@@ -294,12 +296,17 @@ Command AddExperimentRunCommand(CLI::App& experiment) {
                             "instead of SUITE: shipped scenes and seeds of families, such as "
                             "indoor_1,room@1000:1012, with their good detections");
   scenes->excludes(file);
-  add("--variants", flags->sweep.variants, "A,B,...", "with --scenes: variants; default: full")
-      ->needs(scenes);
+  add("--systems", flags->sweep.systems, "FILE",
+      "run the systems of a suite file on --scenes, by default on tiny alone; see "
+      "experiments/systems")
+      ->excludes(file);
+  add("--variants", flags->sweep.variants, "A,B,...",
+      "with --scenes or --systems: variants; default: full, or none beside --systems")
+      ->excludes(file);
   add("--grid", flags->sweep.grid, "PATH=A,B,...",
       "with --scenes: values of an option, every combination; can be repeated")
       ->allow_extra_args(false)
-      ->needs(scenes);
+      ->excludes(file);
   add("-o,--output", flags->output, "DIR", "output folder of the suite")->required();
   add("--data", flags->data, "FOLDER",
       "root folder of the real sequences; default: CLUSTERVO_DATA");

@@ -106,7 +106,9 @@ void CheckRow(const ObjectBox& row, const std::string& where) {
   if (!row.box3d) ThrowError(where, "a row without a 3D box", "height, width and length above 0");
 }
 
-Objects ReadRows(const fs::path& path, const Sequence& sequence, SystemEstimate& system) {
+Objects ReadRows(const SystemFiles& files, const Sequence& sequence, SystemEstimate& system) {
+  const fs::path& path = files.objects;
+  const int first_frame = files.first_frame.value_or(sequence.first_frame);
   // Row i is on line i + 1, as such a file has neither comments nor blank lines.
   const std::vector<ObjectBox> rows = ReadDetections(path, sequence.total_frames);
   if (rows.empty()) {
@@ -126,7 +128,7 @@ Objects ReadRows(const fs::path& path, const Sequence& sequence, SystemEstimate&
                  StrCat("track ", row.track, " in frame ", row.frame, " as in ", other->second),
                  "one row");
     }
-    const int frame = row.frame - sequence.first_frame;
+    const int frame = row.frame - first_frame;
     if (frame < 0 || static_cast<std::size_t>(frame) >= sequence.images.size()) continue;
     ++system.object_frames;
     const auto& camera = system.objects.world_from_camera[static_cast<std::size_t>(frame)];
@@ -212,7 +214,7 @@ SystemEstimate ReadSystem(const Sequence& sequence, const SystemFiles& files) {
   if (files.objects.empty()) return system;
   const Objects objects = fs::is_directory(files.objects)
                               ? ReadFolder(files.objects, sequence, system)
-                              : ReadRows(files.objects, sequence, system);
+                              : ReadRows(files, sequence, system);
   estimate.clusters = Clusters(objects, sequence);
   return system;
 }
@@ -266,11 +268,12 @@ Json HashesOf(const SystemFiles& files) {
           {"objects", HashObjects(files.objects)}};
 }
 
-// The whole build is part of the identity: the readers of the ground truth and the geometry needed
-// for scoring are among the estimator's sources.
-std::string SystemJob(const SystemRequest& request, const Json& hashes) {
+// A program is identified before it runs, files that exist by their bytes. The whole build is part
+// of the identity: the readers of the ground truth and the geometry needed for scoring are among
+// the estimator's sources.
+std::string IdentityOf(const SystemRequest& request, const Json& made) {
   return reports::JobIdentity({ThisBuild().identity, reports::SystemVariant(request.files.name),
-                               hashes, request.content, "", GivenToJson({}, {}), request.seed});
+                               made, request.content, "", GivenToJson({}, {}), request.seed});
 }
 
 // Returns the content of result.json, of kind "run" like that of an own run. Poses are the system's
@@ -278,7 +281,7 @@ std::string SystemJob(const SystemRequest& request, const Json& hashes) {
 std::string ResultOf(const SystemRequest& request, const SystemOutcome& outcome) {
   const Json hashes = HashesOf(request.files);
   reports::RunSummary summary;
-  summary.job = SystemJob(request, hashes);
+  summary.job = IdentityOf(request, request.program.is_null() ? hashes : request.program);
   summary.status = ToString(RunStatus::kOk);
   summary.variant = reports::SystemVariant(request.files.name);
   summary.system = Json{{"name", request.files.name},
@@ -286,6 +289,7 @@ std::string ResultOf(const SystemRequest& request, const SystemOutcome& outcome)
                         {"objects", hashes["objects"] == "" ? Json(nullptr) : hashes["objects"]},
                         {"object_frames", outcome.object_frames},
                         {"object_frames_left_out", outcome.object_frames_left_out}};
+  if (!request.program.is_null()) (*summary.system)["program"] = request.program;
   summary.seed = request.seed;
   summary.sequence =
       SequenceOf(request.sequence, request.content, FindImplausible(request.sequence));
@@ -312,7 +316,7 @@ std::string ResultOf(const SystemRequest& request, const SystemOutcome& outcome)
 }  // namespace
 
 std::string IdentifySystem(const SystemRequest& request) {
-  return SystemJob(request, HashesOf(request.files));
+  return IdentityOf(request, request.program.is_null() ? HashesOf(request.files) : request.program);
 }
 
 SystemOutcome ScoreSystem(const SystemRequest& request) {

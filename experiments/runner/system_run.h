@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,10 +21,12 @@ struct SystemFiles {
   // Poses world_from_camera of the left camera read. TUM: timestamps are those of frames to within
   // 20 ms, and frames may be missing. KITTI: one line per frame of the folder, or of the part of it
   // that is read.
-  std::filesystem::path camera;
+  std::filesystem::path camera = {};
   // KITTI tracking rows with 3D boxes in any order, with frames counted from the start of the
   // folder; or a folder of <id>.tum files, world_from_object in the world of `camera`. Empty: none.
-  std::filesystem::path objects;
+  std::filesystem::path objects = {};
+  // Number of the first frame that is read in KITTI tracking rows; empty: as in the folder.
+  std::optional<int> first_frame = {};
 };
 
 struct SystemEstimate {
@@ -46,6 +49,8 @@ struct SystemRequest {
   std::uint64_t seed = 0;       // of the rendered scene, to compare with runs on it
   double right_shift_px = 0.0;  // correction given to the system, not the sequence's own
   std::string images = {};      // ImagesHash of the sequence
+  // Identity of the program that is run to write the files; null: they exist.
+  Json program = {};
 };
 
 struct SystemOutcome : SystemEstimate {
@@ -54,8 +59,8 @@ struct SystemOutcome : SystemEstimate {
   std::vector<BodyScore> bodies = {};
 };
 
-// Returns the identity of what ScoreSystem would do, from the bytes of the files. Throws Error for
-// a file that cannot be read.
+// Returns the identity of what ScoreSystem would do, from the program or the bytes of the files.
+// Throws Error for a file that cannot be read.
 std::string IdentifySystem(const SystemRequest& request);
 
 // Scores the files against the sequence's ground truth in the same way as runs. Bodies are matched

@@ -22,7 +22,7 @@ namespace cvo {
 
 std::string Describe(const PlanJob& job) {
   std::string text = StrCat(job.sequence, " ", job.system.empty() ? job.variant : job.system);
-  if (job.system.empty()) text += StrCat(", seed ", job.seed);
+  text += StrCat(", seed ", job.seed);
   for (const auto& [path, value] : job.parameters.items()) {
     text += StrCat(", ", path, "=", value.dump());
   }
@@ -333,13 +333,17 @@ class Planner {
     return resolved_.emplace(key, OptionsToJson(OptionLeaves(options))).first->second;
   }
 
-  void IdentifyFiles(const Input& input, PlanJob& job) const {
+  void IdentifyFiles(const Input& input, PlanJob& job) {
+    const SuiteSystem& system = *SystemOf(suite_, job);
+    SystemRequest request{input.sequence, input.content, {system.name}, job.seed};
     try {
-      job.job = IdentifySystem(
-          {.sequence = input.sequence,
-           .content = input.content,
-           .files = SystemFilesOf(suite_, job, data_.root(), Absolute(request_.cache)),
-           .seed = job.seed});
+      if (system.command.empty()) {
+        request.files = SystemFilesOf(suite_, job, data_.root(), Absolute(request_.cache));
+      } else {
+        request.program = WithInput(programs_.Of(system), system, input.sequence);
+        job.input = InputsKey(input.sequence, input.content, ClassesOf(SequenceOf(job)));
+      }
+      job.job = IdentifySystem(request);
     } catch (const Error& error) {
       job.missing = error.what();
     }
@@ -369,6 +373,7 @@ class Planner {
   SceneFolders scenes_;
   std::map<std::string, Input> inputs_;
   std::map<std::string, Json> resolved_;
+  IdentifiedPrograms programs_;
   std::vector<Preparation> wanted_;
   std::set<fs::path> wanted_outputs_;
 };

@@ -127,8 +127,10 @@ void CheckCount(const Suite& suite, const std::string& where) {
     const auto values = static_cast<double>(axis.values.size());
     points = suite.grid_one_at_a_time ? points + values : points * values;
   }
+  std::size_t seeds = suite.seeds.size();
+  for (const SuiteSystem& system : suite.systems) seeds = std::max(seeds, system.seeds.size());
   double runs = points;
-  for (const std::size_t count : {suite.sequences.size(), suite.seeds.size(), suite.oracles.size(),
+  for (const std::size_t count : {suite.sequences.size(), seeds, suite.oracles.size(),
                                   suite.variants.size() + suite.systems.size()}) {
     runs *= static_cast<double>(std::max<std::size_t>(count, 1));
   }
@@ -165,9 +167,20 @@ void CheckGrid(const Suite& suite, const std::string& where) {
   }
 }
 
+void CheckSeeds(const std::vector<std::uint64_t>& seeds, const std::string& where) {
+  if (seeds.empty()) ThrowError(where, "none", "at least one");
+  if (std::set(seeds.begin(), seeds.end()).size() < seeds.size()) {
+    ThrowError(where, "a seed twice", "each once");
+  }
+}
+
+std::string ShippedNames() {
+  return Joined(ShippedTrajectories(), ", ", [](const ShippedTrajectory& trajectory) {
+    return StrCat(trajectory.system, " on ", trajectory.scene);
+  });
+}
+
 void CheckSystems(const Suite& suite, const std::string& where) {
-  Names sequences;
-  for (const SuiteSequence& sequence : suite.sequences) sequences.push_back(sequence.name);
   Names names = suite.variants;
   for (std::size_t i = 0; i < suite.systems.size(); ++i) {
     const SuiteSystem& system = suite.systems[i];
@@ -177,10 +190,19 @@ void CheckSystems(const Suite& suite, const std::string& where) {
       ThrowError(at + ".name", Quoted(system.name) + " twice", "a unique name");
     }
     names.push_back(system.name);
-    Names given;
-    for (const SuiteSystem::Files& files : system.files) given.push_back(files.sequence);
-    CheckNames(given, sequences, at + ".files",
-               "a sequence of the suite: " + Joined(sequences, ", "));
+    CheckPlaceholders(system, at);
+    CheckSeeds(system.seeds, at + ".seeds");
+    const auto any = [&](const auto& is) {
+      return std::any_of(suite.sequences.begin(), suite.sequences.end(), is);
+    };
+    if (system.Uses("{detections}") && any([](const auto& s) { return s.detections.empty(); })) {
+      ThrowError(at + ".command", "{detections}, and a sequence without \"detections\"",
+                 "boxes for each sequence");
+    }
+    if (system.shipped() && !any([&](const auto& s) { return IsShipped(system.name, s); })) {
+      ThrowError(at, "no \"command\" or \"writes\"",
+                 "these, or a trajectory that comes with the program: " + ShippedNames());
+    }
   }
 }
 
@@ -281,10 +303,7 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   if (suite.variants.empty() && suite.systems.empty()) {
     ThrowError(where + ", variants", "none", "at least one variant or system");
   }
-  if (suite.seeds.empty()) ThrowError(where + ", seeds", "none", "at least one");
-  if (std::set(suite.seeds.begin(), suite.seeds.end()).size() < suite.seeds.size()) {
-    ThrowError(where + ", seeds", "a seed twice", "each once");
-  }
+  CheckSeeds(suite.seeds, where + ", seeds");
   At(where + ", options", [&] {
     for (const std::string& variant : AnyVariants(suite)) OptionsOf(suite, variant, {});
   });

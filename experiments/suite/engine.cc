@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -51,10 +52,12 @@ struct Launch {
   int out;
   int err;
   double limit_memory_mb = 0.0;
+  std::string folder = {};  // where it runs; empty: here
+  bool own_group = true;
 };
 
-// Starts a program in its own process group, without input. The kernel kills it when the calling
-// thread ends.
+// Starts a program, in its own process group unless told otherwise, without input. The kernel kills
+// it when the calling thread ends.
 pid_t Start(const Launch& launch) {
   Require(!launch.argv.empty(), "Task: no program");
   const bool in_path = launch.argv.front().find('/') == std::string::npos;
@@ -66,7 +69,7 @@ pid_t Start(const Launch& launch) {
   const pid_t parent = ::getpid();
   const pid_t child = ::fork();
   if (child < 0) ThrowErrno(launch.argv.front(), "start a process", errno);
-  ::setpgid(child, child);  // by both processes, to avoid a race
+  if (launch.own_group) ::setpgid(child, child);  // by both processes, to avoid a race
   if (child > 0) return child;
   // Nothing may allocate between fork and exec.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -78,7 +81,9 @@ pid_t Start(const Launch& launch) {
     const rlimit limit{bytes, bytes};
     ::setrlimit(RLIMIT_AS, &limit);
   }
-  (in_path ? ::execvp : ::execv)(words.front(), words.data());
+  if (launch.folder.empty() || ::chdir(launch.folder.c_str()) == 0) {
+    (in_path ? ::execvp : ::execv)(words.front(), words.data());
+  }
   [[maybe_unused]] const ssize_t written =
       ::write(STDERR_FILENO, kNotExecuted.data(), kNotExecuted.size());
   ::_exit(kCannotExecute);
@@ -133,6 +138,27 @@ class ChildProcess {
   File poll_;
 };
 
+int OpenLog(const std::filesystem::path& log) {
+  constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC;
+  const int fd = ::open(log.c_str(), kFlags, 0666);
+  if (fd < 0) ThrowErrno(log, "write", errno);
+  return fd;
+}
+
+// Empty for a program that succeeded.
+std::string ProblemOf(int status) {
+  if (!WIFSIGNALED(status)) {
+    return WEXITSTATUS(status) == 0 ? "" : StrCat("exit code ", WEXITSTATUS(status));
+  }
+  const int signal = WTERMSIG(status);
+  const char* name = ::sigabbrev_np(signal);
+  return StrCat("killed by signal ", signal, name != nullptr ? StrCat(" (SIG", name, ")") : "");
+}
+
+double SecondsOf(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 std::string Contents(int fd) {
   struct stat info {};
   ::fstat(fd, &info);
@@ -166,6 +192,20 @@ Captured Capture(const std::vector<std::string>& argv,
   }
 }
 
+Measured Measure(const std::vector<std::string>& argv, const std::filesystem::path& folder,
+                 const std::filesystem::path& log) {
+  const File out(OpenLog(log));
+  const Clock::time_point start = Clock::now();
+  const pid_t process = Start({argv, out.fd, out.fd, 0.0, folder.string(), false});
+  int status = 0;
+  rusage usage{};
+  while (::wait4(process, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  return {ProblemOf(status), std::chrono::duration<double>(Clock::now() - start).count(),
+          SecondsOf(usage.ru_utime) + SecondsOf(usage.ru_stime),
+          static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6};
+}
+
 namespace {
 
 // A task that runs on this machine.
@@ -184,32 +224,26 @@ class RunningTask {
     }
     const std::optional<int> status = process_.Poll();
     if (!status) return std::nullopt;
-    return TaskEnd{*status == 0, *status == 0 ? "" : MessageOf(*status)};
+    return TaskEnd{*status == 0, MessageOf(*status)};
   }
 
  private:
   static ChildProcess Started(const Task& task) {
-    constexpr int kFlags = O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC;
-    const File log(::open(task.log.c_str(), kFlags, 0666));
-    if (log.fd < 0) ThrowErrno(task.log, "write", errno);
+    const File log(OpenLog(task.log));
     return ChildProcess({task.argv, log.fd, log.fd, task.limit_memory_mb});
   }
   std::string MessageOf(int status) const {
     const double limit_mb = task_.limit_memory_mb;
     if (!WIFSIGNALED(status)) {
       if (WEXITSTATUS(status) != kCannotLoad || limit_mb == 0.0) {
-        return StrCat("exit code ", WEXITSTATUS(status));
+        return ProblemOf(status);
       }
       return StrCat("memory limit of ", limit_mb, " MB: the program alone takes more");
     }
     if (timed_out_) return StrCat("stopped after ", task_.limit_s, " s");
-    const int signal = WTERMSIG(status);
-    const char* name = ::sigabbrev_np(signal);
-    const std::string killed =
-        StrCat("killed by signal ", signal, name != nullptr ? StrCat(" (SIG", name, ")") : "");
     // The stack could not grow, or the program does not fit at all.
-    if (signal != SIGSEGV || limit_mb == 0.0) return killed;
-    return StrCat(killed, " under a memory limit of ", limit_mb, " MB");
+    if (WTERMSIG(status) != SIGSEGV || limit_mb == 0.0) return ProblemOf(status);
+    return StrCat(ProblemOf(status), " under a memory limit of ", limit_mb, " MB");
   }
 
   const Task& task_;

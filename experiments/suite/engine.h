@@ -67,6 +67,20 @@ struct Captured {
 Captured Capture(const std::vector<std::string>& argv,
                  const std::function<bool(const Captured&)>& give_up);
 
+// What one run of a program took.
+struct Measured {
+  std::string problem;  // how it failed: "exit code 3", "killed by signal 11 (SIGSEGV)"; else empty
+  double wall_s = 0.0;
+  double cpu_s = 0.0;           // of the program and those that it waited for
+  double peak_memory_mb = 0.0;  // 10^6 bytes, of the largest of them
+};
+
+// Runs a program in a folder, without input and with its output in `log`, until it ends. It is of
+// this process's group and under its limits, and is killed with it. Throws Error if no process can
+// be created.
+Measured Measure(const std::vector<std::string>& argv, const std::filesystem::path& folder,
+                 const std::filesystem::path& log);
+
 // Runs tasks as processes on this machine, at most `processes` at once. No process is left when Run
 // returns or throws, or when this process is killed.
 class LocalEngine : public Engine {

@@ -132,18 +132,20 @@ std::vector<std::string> ClassesOf(const SuiteSequence& sequence) {
   return sequence.classes.empty() ? RigidClasses() : sequence.classes;
 }
 
+const SuiteSystem* SystemOf(const Suite& suite, const PlanJob& job) {
+  return job.system.empty() ? nullptr : FindBy(suite.systems, &SuiteSystem::name, job.system);
+}
+
 SystemFiles SystemFilesOf(const Suite& suite, const PlanJob& job, const fs::path& data,
                           const fs::path& cache) {
-  for (const SuiteSystem& system : suite.systems) {
-    if (system.name != job.system) continue;
-    if (system.shipped) return ShippedSystemFiles(system.name, suite.sequences[job.entry], cache);
-    for (const SuiteSystem::Files& files : system.files) {
-      if (files.sequence != job.sequence) continue;
-      return {system.name, data / files.camera, files.objects.empty() ? "" : data / files.objects};
-    }
+  const SuiteSystem& system = *SystemOf(suite, job);
+  if (system.shipped()) {
+    return ShippedSystemFiles(system.name, suite.sequences[job.entry], cache);
   }
-  ThrowError("suite " + suite.name, "no files of " + job.system + " on " + job.sequence,
-             "a job of the suite");
+  const auto below = [&](const std::string& file) {
+    return file.empty() ? fs::path() : data / ForJob(file, job.sequence, job.seed);
+  };
+  return {system.name, below(system.camera), below(system.objects)};
 }
 
 namespace {
@@ -315,13 +317,16 @@ void AddVariants(const Suite& suite, std::size_t entry, std::vector<PlanJob>& jo
   }
 }
 
-// Adds one job per file, with the first seed only: the truth is the same for every seed.
-void AddSystems(const Suite& suite, std::size_t entry, std::vector<PlanJob>& jobs) {
+// Adds the jobs of other systems. What boxes a sequence has only matters to one that takes them
+// (`again`: the same images with other boxes), and trajectories that exist have one seed.
+void AddSystems(const Suite& suite, std::size_t entry, bool again, std::vector<PlanJob>& jobs) {
   for (const SuiteSystem& system : suite.systems) {
-    for (const SuiteSystem::Files& files : system.files) {
-      if (files.sequence != suite.sequences[entry].name) continue;
-      jobs.push_back(JobOn(suite, entry, suite.seeds.front()));
+    if (again && !system.Uses("{detections}")) continue;
+    if (system.shipped() && !IsShipped(system.name, suite.sequences[entry])) continue;
+    for (const std::uint64_t seed : system.command.empty() ? suite.seeds : system.seeds) {
+      jobs.push_back(JobOn(suite, entry, seed));
       jobs.back().system = system.name;
+      if (system.command.empty()) break;
     }
   }
 }
@@ -333,7 +338,8 @@ std::vector<PlanJob> ExpandSuite(const Suite& suite) {
   std::set<std::string> named;
   for (std::size_t entry = 0; entry < suite.sequences.size(); ++entry) {
     AddVariants(suite, entry, jobs);
-    if (named.insert(suite.sequences[entry].name).second) AddSystems(suite, entry, jobs);
+    const bool again = !named.insert(suite.sequences[entry].name).second;
+    AddSystems(suite, entry, again, jobs);
   }
   return jobs;
 }

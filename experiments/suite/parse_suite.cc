@@ -59,8 +59,10 @@ void ReadFields(ObjectReader& object, SuiteSequence& sequence) {
   sequence.layout = ReadObject(object, "layout");
 }
 
-// Makes the files of scenes and families in a suite absolute, so that it can be read from anywhere.
+// Makes the files of scenes, families and commands in a suite absolute, so that it can be read from
+// anywhere.
 void ResolveFiles(const fs::path& folder, Json& suite) {
+  ResolveCommands(folder, suite);
   if (!suite.is_object() || !suite.contains("sequences") || !suite["sequences"].is_array()) return;
   const auto scenes = synth::ShippedScenes();
   const auto families = synth::ShippedFamilies();
@@ -149,23 +151,6 @@ SuiteSequence ReadSequence(ObjectReader object) {
   return sequence;
 }
 
-SuiteSystem ReadSystem(ObjectReader object, const std::vector<SuiteSequence>& sequences) {
-  SuiteSystem system;
-  system.name = object.Text("name");
-  system.shipped = !object.Has("files");
-  for (ObjectReader files : object.ObjectsOr("files")) {
-    system.files.push_back(
-        {files.Text("sequence"), files.Text("camera"), files.TextOr("objects", "")});
-    files.Finish();
-  }
-  object.Finish();
-  if (system.shipped) {
-    system.files = ShippedFilesOf(system.name, sequences, object.Where("files"));
-  }
-  if (system.files.empty()) ThrowError(object.Where("files"), "none", "a file for each sequence");
-  return system;
-}
-
 std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
   if (!object.Has("seeds")) return {1};
   const Json& value = object.Value("seeds");
@@ -187,6 +172,30 @@ std::vector<std::uint64_t> ReadSeeds(ObjectReader& object) {
     seeds.push_back(seed.get<std::uint64_t>());
   }
   return seeds;
+}
+
+SuiteSystem ReadSystem(ObjectReader object, const std::vector<std::uint64_t>& seeds) {
+  constexpr synth::Range kLimit = {0.0, 1e9};
+  SuiteSystem system;
+  system.name = object.Text("name");
+  system.command = ReadTextsOf(object, "command");
+  system.version = ReadTextsOf(object, "version");
+  system.calibration = ReadChoice(object, "calibration", CalibrationForms(), "kitti");
+  system.seeds = object.Has("seeds") ? ReadSeeds(object) : seeds;
+  if (object.Has("limits")) {
+    ObjectReader limits = object.Object("limits");
+    if (limits.Has("time_s")) system.limit_s = limits.Number("time_s", kLimit);
+    if (limits.Has("memory_mb")) system.limit_memory_mb = limits.Number("memory_mb", kLimit);
+    limits.Finish();
+  }
+  if (object.Has("writes") || !system.command.empty()) {
+    ObjectReader writes = object.Object("writes");
+    system.camera = writes.Text("camera");
+    system.objects = writes.TextOr("objects", "");
+    writes.Finish();
+  }
+  object.Finish();
+  return system;
 }
 
 std::vector<GridAxis> ReadGrid(ObjectReader& object) {
@@ -264,7 +273,7 @@ Suite ReadCheckedSuite(const Json& json, const std::string& where, const fs::pat
   suite.grid_one_at_a_time = object.BoolOr("grid_one_at_a_time", false);
   if (object.Has("oracles")) suite.oracles = ReadOracles(object);
   for (ObjectReader& system : object.ObjectsOr("systems")) {
-    suite.systems.push_back(ReadSystem(std::move(system), suite.sequences));
+    suite.systems.push_back(ReadSystem(std::move(system), suite.seeds));
   }
   suite.timed_threads = object.IntegerOr("timed_threads", {1, kMaxTimedThreads}, 0);
   suite.landmarks = object.BoolOr("landmarks", false);
@@ -290,7 +299,7 @@ Suite LoadSuite(const std::string& suite) {
   }
   std::error_code ignored;
   if (fs::is_regular_file(suite, ignored)) {
-    return ParseSuite(ReadJson(suite), suite, fs::path(suite).parent_path());
+    return ParseSuite(ReadJson(suite), suite, fs::absolute(suite).parent_path());
   }
   const std::string meant = DidYouMean(suite, names);
   ThrowError("suite " + Quoted(suite), "neither a shipped suite nor a file" + meant,
@@ -331,8 +340,20 @@ void Set(const std::string& assignment, Json& suite) {
 }  // namespace
 
 Json SweepDefinition(const std::string& name, const SuiteSweep& sweep) {
-  Json json = {{"name", name}, {"variants", AtCommas(sweep.variants)}};
-  for (const std::string& scene : AtCommas(sweep.scenes)) {
+  Json json = {{"name", name}, {"variants", Json::array()}};
+  if (!sweep.systems.empty()) {
+    Json file = ReadJson(sweep.systems);
+    ResolveCommands(fs::absolute(sweep.systems).parent_path(), file);
+    if (!file.is_object() || !file.contains("systems")) {
+      ThrowError(sweep.systems, "no \"systems\"", "a suite, or {\"systems\": [...]}");
+    }
+    json["systems"] = file["systems"];
+  }
+  const std::string variants = sweep.systems.empty() ? "full" : "";
+  if (!(sweep.variants + variants).empty()) {
+    json["variants"] = AtCommas(sweep.variants.empty() ? variants : sweep.variants);
+  }
+  for (const std::string& scene : AtCommas(sweep.scenes.empty() ? "tiny" : sweep.scenes)) {
     const std::size_t at = scene.find('@');
     Json sequence = {{"detections", "good"},
                      {at == scene.npos ? "scene" : "family", scene.substr(0, at)}};

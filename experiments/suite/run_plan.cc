@@ -91,15 +91,32 @@ void RunVariant(const Plan& plan, const PlanJob& job, const Sequence& sequence,
 }
 
 void RunSystem(const Plan& plan, const PlanJob& job, const Sequence& sequence,
-               const fs::path& cache, const JobFolder& folder) {
+               const fs::path& cache, const fs::path& inputs, const JobFolder& folder) {
+  const SuiteSystem& system = *SystemOf(plan.suite, job);
   const std::vector<ImageHashes> images = RenderedHashes(sequence);
-  const SystemRequest request{.sequence = sequence,
-                              .content = ContentHash(sequence, images),
-                              .files = SystemFilesOf(plan.suite, job, plan.data, cache),
-                              .seed = job.seed,
-                              .images = ImagesHash(images)};
+  SystemRequest request{.sequence = sequence,
+                        .content = ContentHash(sequence, images),
+                        .files = {system.name},
+                        .seed = job.seed,
+                        .images = ImagesHash(images)};
+  if (system.command.empty()) {
+    request.files = SystemFilesOf(plan.suite, job, plan.data, cache);
+    folder.CheckIdentity(IdentifySystem(request), sequence);
+    WriteFilesAtomically(folder.path(), {{"result.json", ScoreSystem(request).result}});
+    return;
+  }
+  request.program = WithInput(IdentifyProgram(system), system, sequence);
   folder.CheckIdentity(IdentifySystem(request), sequence);
-  WriteFilesAtomically(folder.path(), {{"result.json", ScoreSystem(request).result}});
+  SystemEnd end = RunProgram(system, {.sequence = sequence,
+                                      .name = job.sequence,
+                                      .classes = ClassesOf(plan.suite.sequences[job.entry]),
+                                      .seed = job.seed,
+                                      .inputs = inputs / job.input.substr(0, 16),
+                                      .folder = folder.path()});
+  request.files = end.files;
+  end.timing.job = job.job;
+  WriteFilesAtomically(folder.path(), {{"timing.json", FileText(end.timing)},
+                                       {"result.json", ScoreSystem(request).result}});
 }
 
 }  // namespace
@@ -110,7 +127,10 @@ void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& f
   const Sequence sequence = OpenSequence(RequestOf(plan.suite, job, plan.data));
   RequireAsRendered(sequence);
   const JobFolder output(folder, id);
-  if (!job.system.empty()) return RunSystem(plan, job, sequence, cache, output);
+  if (!job.system.empty()) {
+    RunSystem(plan, job, sequence, cache, folder.root / "inputs", output);
+    return;
+  }
   RunVariant(plan, job, sequence, {cache / "frontend", CacheLimit(), notice}, output);
 }
 
@@ -160,8 +180,8 @@ void RemoveFailure(const SuiteFolder& folder, const std::string& id) {
 // Runs jobs in batches and records a problem with the folder itself.
 class JobRunner {
  public:
-  JobRunner(const PlanRun& run, Engine& engine, std::size_t total)
-      : run_(run), engine_(engine), total_(total) {
+  JobRunner(const Suite& suite, const PlanRun& run, Engine& engine, std::size_t total)
+      : suite_(suite), run_(run), engine_(engine), total_(total) {
     run_.progress(0, total_);
   }
 
@@ -183,12 +203,17 @@ class JobRunner {
 
  private:
   Task TaskOf(const PlanJob& job) const {
-    return {.name = job.job,
-            .argv = {run_.program, "experiment", "job", fs::absolute(run_.folder.root).string(),
-                     job.job},
-            .log = run_.folder.log(job.job),
-            .limit_s = run_.limit_s,
-            .limit_memory_mb = run_.limit_memory_mb};
+    Task task{.name = job.job,
+              .argv = {run_.program, "experiment", "job", fs::absolute(run_.folder.root).string(),
+                       job.job},
+              .log = run_.folder.log(job.job),
+              .limit_s = run_.limit_s,
+              .limit_memory_mb = run_.limit_memory_mb};
+    if (const SuiteSystem* system = SystemOf(suite_, job)) {
+      task.limit_s = system->limit_s.value_or(task.limit_s);
+      task.limit_memory_mb = system->limit_memory_mb.value_or(task.limit_memory_mb);
+    }
+    return task;
   }
 
   // The result of a task that ran on another machine may become visible late.
@@ -220,6 +245,7 @@ class JobRunner {
     }
   }
 
+  const Suite& suite_;
   const PlanRun& run_;
   Engine& engine_;
   std::size_t total_;
@@ -250,7 +276,7 @@ PlanOutcome RunPlan(const Plan& plan, const PlanRun& run, Engine& engine) {
   if (pending.first.empty()) return CountJobs(status);
   for (const char* name : {"jobs", "failed", "logs"}) MakeFolder(run.folder.root / name);
   RemoveTemporaries(run.folder.root / "failed");
-  JobRunner runner(run, engine, pending.first.size() + pending.rest.size());
+  JobRunner runner(plan.suite, run, engine, pending.first.size() + pending.rest.size());
   runner.Run(pending.first);
   runner.Run(pending.rest);
   PlanOutcome outcome = CountJobs(StatusOfAll(run.folder, plan));

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trajectories of other systems that come with the program.
 #include <filesystem>
-#include <set>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -44,21 +43,8 @@ std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence&
 
 }  // namespace
 
-std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
-                                               const std::vector<SuiteSequence>& sequences,
-                                               const std::string& where) {
-  std::vector<SuiteSystem::Files> files;
-  std::set<std::string> named;
-  for (const SuiteSequence& sequence : sequences) {
-    if (Find(system, sequence) == nullptr || !named.insert(sequence.name).second) continue;
-    files.push_back({sequence.name, "", ""});
-  }
-  if (!files.empty()) return files;
-  const std::string known =
-      Joined(ShippedTrajectories(), ", ", [](const ShippedTrajectory& trajectory) {
-        return StrCat(trajectory.system, " on ", trajectory.scene);
-      });
-  ThrowError(where, "none", "a file for each sequence; those that come with the program: " + known);
+bool IsShipped(const std::string& system, const SuiteSequence& sequence) {
+  return Find(system, sequence) != nullptr;
 }
 
 SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,

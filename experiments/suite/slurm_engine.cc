@@ -68,6 +68,15 @@ struct QueuedTask {
 // Tasks by (name of the array, task number).
 using Queue = std::map<std::pair<std::string, std::size_t>, QueuedTask>;
 
+double LargestLimit(const std::vector<Task>& tasks, double Task::*limit) {
+  double largest = 0.0;
+  for (const Task& task : tasks) {
+    if (task.*limit == 0.0) return 0.0;
+    largest = std::max(largest, task.*limit);
+  }
+  return largest;
+}
+
 // The state of one call of SlurmEngine::Run.
 class SlurmRun {
  public:
@@ -219,16 +228,18 @@ class SlurmRun {
   }
 
   // Returns the job id, or an empty one with the reason if Slurm refuses the array.
-  std::pair<std::string, std::string> Submit(const SlurmArray& array, const Task& task) const {
+  std::pair<std::string, std::string> Submit(const SlurmArray& array,
+                                             const std::vector<Task>& tasks) const {
     std::vector<std::string> argv = {"sbatch", "--parsable"};
-    // The limits are the same for all tasks of an array. Its script applies them, too: one minute
-    // earlier, because Slurm counts whole minutes.
-    if (task.limit_s > 0.0) {
-      argv.push_back(StrCat("--time=", std::int64_t(std::ceil(task.limit_s / 60.0)) + 1));
+    // An array has the largest of its tasks' limits, or none. Its script applies their own: one
+    // minute earlier, because Slurm counts whole minutes.
+    const double limit_s = LargestLimit(tasks, &Task::limit_s);
+    const double limit_mb = LargestLimit(tasks, &Task::limit_memory_mb);
+    if (limit_s > 0.0) {
+      argv.push_back(StrCat("--time=", std::int64_t(std::ceil(limit_s / 60.0)) + 1));
     }
-    if (task.limit_memory_mb > 0.0) {  // Slurm's megabytes are of 2^20 bytes
-      argv.push_back(
-          StrCat("--mem=", std::int64_t(std::ceil(task.limit_memory_mb * 1e6 / 1048576.0))));
+    if (limit_mb > 0.0) {  // Slurm's megabytes are of 2^20 bytes
+      argv.push_back(StrCat("--mem=", std::int64_t(std::ceil(limit_mb * 1e6 / 1048576.0))));
     }
     argv.insert(argv.end(), options_.sbatch_flags.begin(), options_.sbatch_flags.end());
     argv.push_back(StrCat("--array=0-", array.tasks.size() - 1));
@@ -259,7 +270,7 @@ class SlurmRun {
       for (std::size_t i = 0; i < count; ++i) tasks.push_back(tasks_[waiting_[i]]);
       followed_.push_back({WriteSlurmArray(options_.folder, tasks)});
       Followed& followed = followed_.back();
-      const auto [job, refused] = Submit(followed.array, tasks.front());
+      const auto [job, refused] = Submit(followed.array, tasks);
       if (job.empty()) {
         RemoveSlurmArray(followed.array);
         followed_.pop_back();

@@ -13,7 +13,7 @@
 #include "core/interface/options.h"
 #include "core/record/suite_runs.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/runner/system_run.h"
+#include "experiments/suite/system_command.h"
 
 namespace cvo {
 
@@ -44,18 +44,6 @@ std::string FamilyOf(const SuiteSequence& sequence);
 struct GridAxis {
   std::string path;
   std::vector<Json> values;
-};
-
-// Trajectories estimated by another system, scored as they are.
-struct SuiteSystem {
-  struct Files {
-    std::string sequence;  // SuiteSequence::name
-    std::string camera;    // file of TUM or KITTI poses, below the data folder
-    std::string objects;   // KITTI tracking rows with 3D boxes; empty: none
-  };
-  std::string name;
-  std::vector<Files> files;
-  bool shipped = false;  // shipped with the program (ShippedTrajectories); paths are empty
 };
 
 // How `experiment table` tabulates the results.
@@ -124,10 +112,12 @@ struct SuiteOverrides {
 Suite Override(const Suite& suite, const SuiteOverrides& overrides);
 
 // A suite given by flags: scenes and families such as "indoor_1,room@1000:1012", with their good
-// detections; variants such as "full,paper"; axes such as "pairwise.alpha=0,5,20".
+// detections; variants such as "full,paper"; axes such as "pairwise.alpha=0,5,20"; a file whose
+// systems run on the scenes.
 struct SuiteSweep {
-  std::string scenes;
-  std::string variants = "full";
+  std::string scenes = {};    // empty: "tiny"
+  std::string variants = {};  // empty: "full", or none beside systems
+  std::string systems = {};
   std::vector<std::string> grid = {};
 };
 // Returns it as a suite file would define it.
@@ -173,6 +163,9 @@ Perturbation PerturbationOf(const SuiteSequence& sequence, const GridPoint& para
 std::vector<std::string> SceneAssignments(const SuiteSequence& sequence,
                                           const GridPoint& parameters);
 
+// Returns the system of a job; null for a job of a variant.
+const SuiteSystem* SystemOf(const Suite& suite, const PlanJob& job);
+
 // Returns all jobs of a suite before their input is located, ordered by sequence, then seed,
 // parameters, oracle and variant.
 std::vector<PlanJob> ExpandSuite(const Suite& suite);
@@ -197,23 +190,20 @@ struct ShippedTrajectory {
 };
 const std::vector<ShippedTrajectory>& ShippedTrajectories();
 
-// Returns an entry for each of the sequences on which the program ships a trajectory of `system`.
-// Throws Error at `where` if there is none.
-std::vector<SuiteSystem::Files> ShippedFilesOf(const std::string& system,
-                                               const std::vector<SuiteSequence>& sequences,
-                                               const std::string& where);
+// Whether the program ships a trajectory of the system on the sequence.
+bool IsShipped(const std::string& system, const SuiteSequence& sequence);
 
 // PlanJob::missing starts with this if a shipped trajectory was made from other images.
 inline constexpr std::string_view kStale = "stale: ";
 
-// Writes the trajectory of a sequence from ShippedFilesOf below the cache folder and returns the
+// Writes a shipped trajectory of the sequence (IsShipped) below the cache folder and returns the
 // file. Throws Error, with kStale, if the scene file has changed since the trajectory was made, or
 // if the sequence uses other frames or perturbed images.
 SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
                                const std::filesystem::path& cache);
 
-// Returns the files of a job of another system, below `data`. Trajectories shipped with the
-// program are written below the cache folder.
+// Returns the files of a job of another system that has no command, below `data`. Trajectories
+// shipped with the program are written below the cache folder.
 SystemFiles SystemFilesOf(const Suite& suite, const PlanJob& job, const std::filesystem::path& data,
                           const std::filesystem::path& cache);
 

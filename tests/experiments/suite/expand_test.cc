@@ -78,18 +78,25 @@ TEST(ExpandSuite, OrdersJobsBySequenceSeedPointOracleVariant) {
   json["variants"] = {"full", "static"};
   json["oracles"] = Json::array({Json::array(), {"camera"}});
   json["table"]["rows"] = {"variant", "oracle"};
-  json["systems"] =
-      Json::array({{{"name", "other"}, {"files", {{{"sequence", "crowd"}, {"camera", "c.txt"}}}}}});
-  const std::vector<PlanJob> jobs = ExpandSuite(Parse(json));
-  ASSERT_EQ(jobs.size(), 17U);
+  json["systems"] = Json::array({{{"name", "left"}, {"writes", {{"camera", "{sequence}.txt"}}}},
+                                 {{"name", "other"},
+                                  {"command", {"slam", "{left}"}},
+                                  {"writes", {{"camera", "c.txt"}}},
+                                  {"seeds", 3}}});
+  const Suite suite = Parse(json);
+  const std::vector<PlanJob> jobs = ExpandSuite(suite);
+  ASSERT_EQ(jobs.size(), 24U);
   EXPECT_EQ(jobs[0].variant, "full");
   EXPECT_EQ(jobs[1].variant, "static");
   EXPECT_THAT(jobs[2].oracle, ElementsAre("camera"));
   EXPECT_EQ(jobs[3].seed, 4U);
   EXPECT_EQ(jobs[4].seed, 2U);
-  EXPECT_EQ(jobs[8].sequence, "crowd");
-  EXPECT_EQ(jobs[16].system, "other");
-  EXPECT_EQ(jobs[16].variant, "");
+  EXPECT_EQ(jobs[8].system, "left");  // its files have no seed
+  EXPECT_EQ(jobs[8].variant, "");
+  EXPECT_EQ(SystemFilesOf(suite, jobs[8], "/data", "").camera, "/data/tiny.txt");
+  EXPECT_EQ(jobs[9].system, "other");
+  EXPECT_EQ(jobs[11].seed, 3U);
+  EXPECT_EQ(jobs[12].sequence, "crowd");
 }
 
 TEST(JobInput, AChangedDetectorStartsFromTheLevelOfTheSequence) {

@@ -148,8 +148,7 @@ TEST_F(SuitePlan, JobsOfSystemsDependOnTheirFiles) {
   test::WriteTinySequence(data() / "07", kFrames);
   folder_.Write("data/other.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n");
   Json json = FolderSuite("07");
-  json["systems"] = Json::array(
-      {{{"name", "other"}, {"files", {{{"sequence", "07"}, {"camera", "other.txt"}}}}}});
+  json["systems"] = Json::array({{{"name", "other"}, {"writes", {{"camera", "other.txt"}}}}});
   const Suite suite = Parse(json);
   const PlanJob job = Build(suite).plan.jobs.at(1);
   EXPECT_EQ(job.system, "other");
