@@ -46,7 +46,7 @@ inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
 }
 
 // Whether a detection in the newest frame confirmed the cluster. It may still be identified as a
-// lost cluster (IdentityPolicy).
+// lost cluster (InheritLostIdentity).
 inline bool IsJustConfirmed(const Cluster& cluster, const ClusterOptions& options, FrameId newest) {
   return IsConfirmed(cluster, options) && cluster.detections == options.confirm_detections &&
          cluster.last_detected == newest && cluster.last_observed == newest;

@@ -109,7 +109,7 @@ std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& 
                                    const ClusterTrajectory& trajectory, const Cluster& cluster) {
   const FrameId newest = window.temporal.back().id;
   const FrameId first = FirstTracked(window, cluster);
-  // A cluster confirmed in this frame may still be identified as a lost one (IdentityPolicy).
+  // A cluster confirmed in this frame may still be identified as a lost one (InheritLostIdentity).
   const bool is_settled =
       IsConfirmed(cluster, options) && !IsJustConfirmed(cluster, options, newest);
   if (options.trace_states == 0 || !first.valid() || !is_settled) return {};
