@@ -94,6 +94,34 @@ struct Static : Full {
   using Detections = IgnoreDetections;
 };
 
+// What others do, as far as one policy can tell.
+struct FrameToFrame : Static {
+  static constexpr std::string_view kName = "frame_to_frame";
+  static constexpr std::string_view kChanges =
+      "static; a window of two frames, and the calibration is trusted: libviso2's kind";
+  using Frames = TemporalFrames;
+  static void SetDefaults(Options& options) {
+    Static::SetDefaults(options);
+    options.window.temporal = 2;
+    options.stereo.max_row_correction_px = 0.0;
+    options.noise.right_mean_px = 0.0;
+  }
+};
+
+struct MaskStatic : Static {
+  static constexpr std::string_view kName = "mask_static";
+  static constexpr std::string_view kChanges =
+      "static; features inside boxes are left out: DynaSLAM's camera";
+  using Detections = MaskDetections;
+};
+
+struct Boxes3d : Only2d {
+  static constexpr std::string_view kName = "boxes_3d";
+  static constexpr std::string_view kChanges =
+      "2d; no pairwise term: a body is what its box holds, without clustering";
+  using Pairwise = NoPairwise;
+};
+
 // Each variant changes one axis or option of Static; all.h asserts the number of axes.
 struct StaticNoMarginalization : Static {
   static constexpr std::string_view kName = "static_no_marginalization";

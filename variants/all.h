@@ -54,6 +54,9 @@ using NamedVariants = std::tuple<Listed<Full, Full, 0>,                         
                                  Listed<Full, NoSpatialTrack>,                                 //
                                  Listed<Full, NoLabelConfidence>,                              //
                                  Listed<Full, Static>,                                         //
+                                 Listed<Static, FrameToFrame>,                                 //
+                                 Listed<Static, MaskStatic>,                                   //
+                                 Listed<Only2d, Boxes3d>,                                      //
                                  Listed<Static, StaticNoMarginalization>,                      //
                                  Listed<Static, StaticNoSpatialTrack>,                         //
                                  Listed<Static, StaticShiftOnly, 0>,                           //

@@ -44,7 +44,7 @@ struct TraceBackStep {
   const Options& options;
   const Window& window;
   PredictorAnytime predict;
-  ShownBodies (*show)(const StereoFrame&);  // what the estimator is shown of a frame's bodies
+  ShownBodies (*show)(StereoFrame&);  // what the estimator is shown of a frame's bodies
   LandmarkSearch* find;
 };
 

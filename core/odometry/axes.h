@@ -29,7 +29,7 @@ using AxesOf =
 
 // The functions of a variant's policies, in the order in which a frame needs them.
 struct Steps {
-  ShownBodies (*show)(const StereoFrame&);
+  ShownBodies (*show)(StereoFrame&);
   AssociationSteps association;
   Extrapolation* extrapolate;
   LabelSteps labels;

@@ -10,6 +10,16 @@
 
 namespace cvo {
 
+ShownBodies MaskDetections::Show(StereoFrame& frame) {
+  for (StereoFeature& feature : frame.features) {
+    const auto holds = [&](const Detection& detection) {
+      return detection.box.Contains(feature.z_px[0], feature.z_px[1]);
+    };
+    if (std::ranges::any_of(frame.detections, holds)) feature.disagreement_px = kNoDisparity_px;
+  }
+  return {};
+}
+
 namespace {
 
 // Minimum observed landmarks for a cluster with a pose to be reported as tracked, not predicted

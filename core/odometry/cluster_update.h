@@ -14,14 +14,17 @@ namespace cvo {
 
 // Policy: all those of the frame.
 struct UseDetections {
-  static ShownBodies Show(const StereoFrame& frame) {
+  static ShownBodies Show(StereoFrame& frame) {
     return {frame.detections, frame.given.feature_body, frame.given.detection_body};
   }
-  static ShownBodies Show(StereoFrame&&) = delete;  // the views would outlive the frame
 };
 // Policy: none. No cluster is ever found, and the world is assumed to be static.
 struct IgnoreDetections {
-  static ShownBodies Show(const StereoFrame&) { return {}; }
+  static ShownBodies Show(StereoFrame&) { return {}; }
+};
+// Policy: none, and features in detections lose their disparity: the static scene has no others.
+struct MaskDetections {
+  static ShownBodies Show(StereoFrame& frame);
 };
 
 // Bundle adjustment of the window (static energy of section 3.3 of the paper). The oldest frame is

@@ -154,7 +154,7 @@ struct TwoBoxes {
   }
 
   // Returns the depth of the new body of each detection; 0 if it has none.
-  std::vector<double> Depths(const NewBodyRule& rule, const std::vector<char>& is_claimed) const {
+  std::vector<double> Depths(const NewBodyRule& rule, const std::vector<char>& is_claimed) {
     const FeatureGrid grid(frame.features, test::kCamera);
     const FrameView view{frame, UseDetections::Show(frame), grid, test::kCamera, {}, options};
     std::vector<double> depths_m;

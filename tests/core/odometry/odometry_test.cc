@@ -74,10 +74,6 @@ class FeatureWorld {
 struct MisspeltAxis : Full {
   using BoxRematches = NoBoxRematch;
 };
-struct WrongPolicy : Full {
-  using Identity = NoBoxRematch;
-};
-
 TEST(Axes, AblationsChangeTheStatedAxes) {
   EXPECT_EQ((CountDifferences<Full, Full>()), 0);
   EXPECT_EQ((CountDifferences<Full, MisspeltAxis>()), 0);
@@ -85,16 +81,15 @@ TEST(Axes, AblationsChangeTheStatedAxes) {
   EXPECT_EQ((CountDifferences<Static, Only2d>()), 3);
 }
 
-TEST(Axes, PolicyOfAnotherAxisIsRefused) {
-  EXPECT_TRUE(EstimatorVariant<Full>);
-  EXPECT_FALSE(EstimatorVariant<WrongPolicy>);
-}
-
-TEST(Instantiate, CreatesOnlyItsOwnVariants) {
-  TaskPool pool(1);
-  const OdometrySetup setup{{400.0, 400.0, 320.0, 240.0, 0.2, 640, 480}, {}, 0};
-  EXPECT_NE(Instantiate<1>(1, setup, pool), nullptr);
-  EXPECT_THROW(Instantiate<1>(2, setup, pool), Error);
+TEST(MaskDetections, FeaturesInBoxesLoseTheirDisparity) {
+  StereoFrame frame;
+  frame.features.resize(2);
+  frame.features[0].z_px = {50.0, 50.0, 40.0};
+  frame.features[1].z_px = {150.0, 50.0, 140.0};
+  frame.detections = {{{0.0, 0.0, 100.0, 100.0}, "Car"}};
+  EXPECT_TRUE(MaskDetections::Show(frame).detections.empty());
+  EXPECT_TRUE(IsLeftOnly(frame.features[0]));
+  EXPECT_FALSE(IsLeftOnly(frame.features[1]));
 }
 
 constexpr std::int64_t kInterval_ns = 100'000'000;
