@@ -167,8 +167,9 @@ Linearized LinearizePrior(const WindowPrior& prior, Blocks blocks) {
   for (int i = 0; i < frames; ++i) {
     dx.segment<6>(6 * i) = PoseOf(blocks[i]).Minus(prior.linearization_point[i]);
     value.J.emplace_back(prior.J0.middleCols<6>(6 * i));
-    value.J[i].leftCols<3>() =
+    const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> by_rotation =
         prior.J0.middleCols<3>(6 * i) * InverseRightJacobianSo3(dx.segment<3>(6 * i));
+    value.J[i].leftCols<3>() = by_rotation;
   }
   dx.tail<6>() = Eigen::Map<const Vector6d>(blocks[frames]) - prior.right_field_point_px;
   value.J.emplace_back(prior.J0.rightCols<6>());
@@ -221,7 +222,9 @@ Linearized LinearizeTurn(double power_density, const std::array<double, 2>& dt_s
   Linearized value{turn.r, {}};
   for (int i = 0; i < 3; ++i) {
     // turn.J is with respect to rotations about world axes, the manifold's tangent about body axes.
-    value.J.emplace_back(turn.J[i] * world_from_object[i].toRotationMatrix());
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> about_body =
+        turn.J[i] * world_from_object[i].toRotationMatrix();
+    value.J.emplace_back(about_body);
   }
   return value;
 }
@@ -272,8 +275,9 @@ SolverSummary CeresSolver::Solve(const NoiseOptions& noise, const SolverOptions&
     const PointPrior& prior = problem.point_priors[i];
     if (prior.sqrt_information.isZero(0.0)) continue;
     ceres_problem.Add(3, {3}, {problem.points[i].data()}, [&](Blocks blocks) -> Linearized {
-      return {prior.sqrt_information * (PointOf(blocks[0]) - prior.mean_in_object),
-              {prior.sqrt_information}};
+      const Eigen::Vector3d r =
+          prior.sqrt_information * (PointOf(blocks[0]) - prior.mean_in_object);
+      return {r, {prior.sqrt_information}};
     });
   }
   for (const ReprojectionFactor& factor : problem.factors) {

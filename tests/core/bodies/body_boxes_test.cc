@@ -197,8 +197,7 @@ TEST(BodyScore, RisesWithTheEvidence) {
   SeenCar car;
   car.See(0, Ahead(0.0, 14.0));
   const auto score = [&](std::int64_t newest) {
-    return ScoreOf(car.options.noise, car.options.clusters, nullptr, FrameId{newest},
-                   car.cluster());
+    return ScoreOf(car.options, nullptr, FrameId{newest}, car.cluster());
   };
   const double known = score(0);
   EXPECT_GT(known, 0.0);

@@ -74,27 +74,12 @@ class FeatureWorld {
 struct MisspeltAxis : Full {
   using BoxRematches = NoBoxRematch;
 };
-struct WrongPolicy : Full {
-  using Identity = NoBoxRematch;
-};
 
 TEST(Axes, AblationsChangeTheStatedAxes) {
   EXPECT_EQ((CountDifferences<Full, Full>()), 0);
   EXPECT_EQ((CountDifferences<Full, MisspeltAxis>()), 0);
   EXPECT_EQ((CountDifferences<Full, Only2d>()), 2);
   EXPECT_EQ((CountDifferences<Static, Only2d>()), 3);
-}
-
-TEST(Axes, PolicyOfAnotherAxisIsRefused) {
-  EXPECT_TRUE(EstimatorVariant<Full>);
-  EXPECT_FALSE(EstimatorVariant<WrongPolicy>);
-}
-
-TEST(Instantiate, CreatesOnlyItsOwnVariants) {
-  TaskPool pool(1);
-  const OdometrySetup setup{{400.0, 400.0, 320.0, 240.0, 0.2, 640, 480}, {}, 0};
-  EXPECT_NE(Instantiate<1>(1, setup, pool), nullptr);
-  EXPECT_THROW(Instantiate<1>(2, setup, pool), Error);
 }
 
 constexpr std::int64_t kInterval_ns = 100'000'000;
