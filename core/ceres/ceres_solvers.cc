@@ -61,6 +61,7 @@ class PoseManifold final : public ceres::Manifold {
 };
 
 // A residual, and its Jacobians with respect to each block: of a pose, with respect to its tangent.
+// Products are formed in the layout of Ceres, which decides Eigen's order of summation.
 struct Linearized {
   Eigen::VectorXd r;
   std::vector<Eigen::MatrixXd> J;
@@ -167,8 +168,9 @@ Linearized LinearizePrior(const WindowPrior& prior, Blocks blocks) {
   for (int i = 0; i < frames; ++i) {
     dx.segment<6>(6 * i) = PoseOf(blocks[i]).Minus(prior.linearization_point[i]);
     value.J.emplace_back(prior.J0.middleCols<6>(6 * i));
-    value.J[i].leftCols<3>() =
+    const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> by_rotation =
         prior.J0.middleCols<3>(6 * i) * InverseRightJacobianSo3(dx.segment<3>(6 * i));
+    value.J[i].leftCols<3>() = by_rotation;
   }
   dx.tail<6>() = Eigen::Map<const Vector6d>(blocks[frames]) - prior.right_field_point_px;
   value.J.emplace_back(prior.J0.rightCols<6>());
@@ -221,7 +223,10 @@ Linearized LinearizeTurn(double power_density, const std::array<double, 2>& dt_s
   Linearized value{turn.r, {}};
   for (int i = 0; i < 3; ++i) {
     // turn.J is with respect to rotations about world axes, the manifold's tangent about body axes.
-    value.J.emplace_back(turn.J[i] * world_from_object[i].toRotationMatrix());
+    std::array<double, 21> about_body;
+    Eigen::Map<Eigen::Matrix<double, 3, 7, Eigen::RowMajor>> J(about_body.data());
+    J.leftCols<3>() = turn.J[i] * world_from_object[i].toRotationMatrix();
+    value.J.emplace_back(J.leftCols<3>());
   }
   return value;
 }
@@ -272,8 +277,10 @@ SolverSummary CeresSolver::Solve(const NoiseOptions& noise, const SolverOptions&
     const PointPrior& prior = problem.point_priors[i];
     if (prior.sqrt_information.isZero(0.0)) continue;
     ceres_problem.Add(3, {3}, {problem.points[i].data()}, [&](Blocks blocks) -> Linearized {
-      return {prior.sqrt_information * (PointOf(blocks[0]) - prior.mean_in_object),
-              {prior.sqrt_information}};
+      std::array<double, 3> data;
+      Eigen::Map<Eigen::Vector3d> r(data.data());
+      r = prior.sqrt_information * (PointOf(blocks[0]) - prior.mean_in_object);
+      return {r, {prior.sqrt_information}};
     });
   }
   for (const ReprojectionFactor& factor : problem.factors) {

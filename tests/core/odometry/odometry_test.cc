@@ -74,6 +74,7 @@ class FeatureWorld {
 struct MisspeltAxis : Full {
   using BoxRematches = NoBoxRematch;
 };
+
 TEST(Axes, AblationsChangeTheStatedAxes) {
   EXPECT_EQ((CountDifferences<Full, Full>()), 0);
   EXPECT_EQ((CountDifferences<Full, MisspeltAxis>()), 0);
