@@ -186,6 +186,8 @@ void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<
     if (!box.box3d) continue;
     find("heading", box.box3d->heading_rad, -6.3, 6.3);
     find("length", box.box3d->length_m, 0.0, 40.0);
+    find("width", box.box3d->width_m, 0.0, 40.0);
+    find("height", box.box3d->height_m, 0.0, 40.0);
     const Eigen::Vector3d centre =
         box.box3d->bottom_in_camera +
         Eigen::Vector3d(sequence.left_offset_m, -0.5 * box.box3d->height_m, 0.0);
