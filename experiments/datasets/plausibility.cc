@@ -3,16 +3,15 @@
 #include "experiments/datasets/plausibility.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
-#include <numbers>
+#include <map>
 #include <set>
 #include <tuple>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
-#include "core/features/orb/orb.h"
 #include "core/files/text/number.h"
-#include "experiments/datasets/images.h"
 
 namespace cvo {
 namespace {
@@ -89,6 +88,66 @@ void FindHalfSize(const Sequence& sequence, const char* what, const std::vector<
                          "the image (of an image of half the size?)"));
 }
 
+// Finds boxes without extent or without the name of a class.
+void FindUnusable(const char* what, const std::vector<ObjectBox>& boxes,
+                  std::vector<std::string>& lines) {
+  constexpr double kMost = 0.05;
+  constexpr double kThinnest_px = 1.0;
+  std::size_t thin = 0;
+  std::size_t nameless = 0;
+  for (const ObjectBox& box : boxes) {
+    const double side_px = std::min(box.right_px - box.left_px, box.bottom_px - box.top_px);
+    thin += !box.box3d && side_px < kThinnest_px;
+    nameless +=
+        std::ranges::none_of(box.type, [](unsigned char c) { return std::isalpha(c) != 0; });
+  }
+  for (const auto& [count, lack] :
+       {std::pair{thin, "extent"}, std::pair{nameless, "a class name"}}) {
+    if (static_cast<double>(count) <= kMost * static_cast<double>(boxes.size())) continue;
+    lines.push_back(StrCat(what, ": ", count, " of ", boxes.size(), " boxes are without ", lack));
+  }
+}
+
+double Overlap(const ObjectBox& a, const ObjectBox& b) {
+  const auto area = [](double width_px, double height_px) {
+    return std::max(0.0, width_px) * std::max(0.0, height_px);
+  };
+  const double common = area(std::min(a.right_px, b.right_px) - std::max(a.left_px, b.left_px),
+                             std::min(a.bottom_px, b.bottom_px) - std::max(a.top_px, b.top_px));
+  return common / (area(a.right_px - a.left_px, a.bottom_px - a.top_px) +
+                   area(b.right_px - b.left_px, b.bottom_px - b.top_px) - common);
+}
+
+// Finds detections that are elsewhere than the labels of their class.
+void FindElsewhere(const Sequence& sequence, std::vector<std::string>& lines) {
+  constexpr double kLeastOverlap = 0.3;
+  constexpr double kLeastHeight_px = 40.0;
+  constexpr std::size_t kFewest = 10;
+  constexpr double kLeast = 0.25;  // part of the labels
+  std::map<std::pair<int, std::string>, std::vector<const ObjectBox*>> detections;
+  std::set<std::string> classes;
+  for (const ObjectBox& box : sequence.detections) {
+    detections[{box.frame, box.type}].push_back(&box);
+    classes.insert(box.type);
+  }
+  std::size_t labels = 0;
+  std::size_t found = 0;
+  for (const ObjectBox& label : sequence.labels) {
+    if (!classes.contains(label.type) || label.occlusion > 0 || label.truncation > 0.0 ||
+        label.bottom_px - label.top_px < kLeastHeight_px) {
+      continue;
+    }
+    ++labels;
+    found += std::ranges::any_of(detections[{label.frame, label.type}], [&](const auto* box) {
+      return Overlap(*box, label) >= kLeastOverlap;
+    });
+  }
+  if (labels < kFewest || static_cast<double>(found) >= kLeast * static_cast<double>(labels))
+    return;
+  lines.push_back(StrCat("detections: only ", found, " of ", labels,
+                         " labelled bodies in view have a box (of another image or frame?)"));
+}
+
 void FindDoubled(const char* what, const std::vector<ObjectBox>& boxes,
                  std::vector<std::string>& lines) {
   std::set<std::tuple<int, std::string, double, double, double, double>> seen;
@@ -109,9 +168,12 @@ void FindDoubled(const char* what, const std::vector<ObjectBox>& boxes,
 void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<ObjectBox>& boxes,
                   std::vector<std::string>& lines) {
   constexpr double kMost = 0.2;
+  constexpr std::size_t kFewest = 5;
+  constexpr double kLowest = 0.5;
+  constexpr double kHighest = 1.5;
   const StereoCamera& camera = sequence.camera;
   std::vector<std::string> odd;
-  std::size_t solid = 0;
+  std::vector<double> heights;  // of 3D boxes, over those of their boxes in the image
   std::size_t aside = 0;
   for (const ObjectBox& box : boxes) {
     const auto find = [&](const char* name, double value, double least, double most) {
@@ -124,6 +186,8 @@ void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<
     if (!box.box3d) continue;
     find("heading", box.box3d->heading_rad, -6.3, 6.3);
     find("length", box.box3d->length_m, 0.0, 40.0);
+    find("width", box.box3d->width_m, 0.0, 40.0);
+    find("height", box.box3d->height_m, 0.0, 40.0);
     const Eigen::Vector3d centre =
         box.box3d->bottom_in_camera +
         Eigen::Vector3d(sequence.left_offset_m, -0.5 * box.box3d->height_m, 0.0);
@@ -134,13 +198,40 @@ void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<
     const double v_px = camera.fy * centre.y() / centre.z() + camera.cy;
     const bool within = u_px > box.left_px - margin_px && u_px < box.right_px + margin_px &&
                         v_px > box.top_px - margin_px && v_px < box.bottom_px + margin_px;
-    ++solid;
+    heights.push_back(camera.fy * box.box3d->height_m / centre.z() / (box.bottom_px - box.top_px));
     aside += centre.z() > 0.0 && within ? 0 : 1;
   }
   Tell(odd, lines);
-  if (static_cast<double>(aside) <= kMost * static_cast<double>(solid)) return;
-  lines.push_back(StrCat(what, ": of ", solid, " boxes in 3D, ", aside,
-                         " have their centre beside their box in the image"));
+  if (static_cast<double>(aside) > kMost * static_cast<double>(heights.size())) {
+    lines.push_back(StrCat(what, ": of ", heights.size(), " boxes in 3D, ", aside,
+                           " have their centre beside their box in the image"));
+    return;
+  }
+  const double height = heights.size() < kFewest ? 1.0 : Median(std::move(heights));
+  if (height > kLowest && height < kHighest) return;
+  lines.push_back(StrCat(what, ": boxes in 3D are ", FormatGeneral(height, 2),
+                         " times as high as their boxes in the image (other depths or sizes?)"));
+}
+
+// Finds boxes that are cut at 1 and at the size of the image, as if pixels were counted from 1.
+// Where no box is cut, one pixel is less than detectors differ by.
+void FindOneBased(const Sequence& sequence, const char* what, const std::vector<ObjectBox>& boxes,
+                  std::vector<std::string>& lines) {
+  constexpr std::ptrdiff_t kFewest = 2;
+  const int width_px = sequence.camera.width_px;
+  const int height_px = sequence.camera.height_px;
+  const auto count = [&](const auto& is) { return std::ranges::count_if(boxes, is); };
+  const auto from_one =
+      count([](const ObjectBox& box) { return std::min(box.left_px, box.top_px) == 1.0; });
+  const auto to_end = count(
+      [&](const ObjectBox& box) { return box.right_px == width_px || box.bottom_px == height_px; });
+  const auto beyond = count([&](const ObjectBox& box) {
+    return std::min(box.left_px, box.top_px) < 1.0 || box.right_px > width_px ||
+           box.bottom_px > height_px;
+  });
+  if (from_one < kFewest || to_end < kFewest || beyond > 0) return;
+  lines.push_back(StrCat(what, ": ", from_one, " boxes begin at 1 and ", to_end, " end at ",
+                         width_px, " or ", height_px, ", none beyond (pixels counted from 1?)"));
 }
 
 void FindGaps(const Sequence& sequence, const std::vector<double>& steps_s,
@@ -173,173 +264,6 @@ void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
   Tell(jumps, lines);
 }
 
-using Corners = std::vector<OrbKeypoint>;
-
-Corners CornersOf(const Sequence& sequence, std::size_t index, int side, int count) {
-  const cv::Mat grey = LoadFrameImage(sequence, index, side).grey;
-  return grey.empty() ? Corners() : ExtractOrb(grey, {.features = count}).keypoints;
-}
-
-// Returns the corner that looks most like this one; nullptr if none is similar enough or another is
-// about as similar.
-const OrbKeypoint* MostAlike(const OrbKeypoint& corner, const Corners& others) {
-  constexpr int kFarthest = 64;        // of 256 bits
-  constexpr double kUniqueness = 0.8;  // best / second-best distance
-  int best = 257;
-  int second = 257;
-  const OrbKeypoint* alike = nullptr;
-  for (const OrbKeypoint& other : others) {
-    const int distance = HammingDistance(corner.descriptor, other.descriptor);
-    if (distance < best) {
-      second = best;
-      best = distance;
-      alike = &other;
-    } else {
-      second = std::min(second, distance);
-    }
-  }
-  return best <= kFarthest && best < kUniqueness * second ? alike : nullptr;
-}
-
-// For each corner of `from`, the one of `to` of which it is the most alike as well; null: none.
-std::vector<const OrbKeypoint*> MatchAnywhere(const Corners& from, const Corners& to) {
-  std::vector<const OrbKeypoint*> partners;
-  for (const OrbKeypoint& corner : from) {
-    const OrbKeypoint* partner = MostAlike(corner, to);
-    const bool mutual = partner != nullptr && MostAlike(*partner, from) == &corner;
-    partners.push_back(mutual ? partner : nullptr);
-  }
-  return partners;
-}
-
-Eigen::Vector2d PixelOf(const OrbKeypoint& corner) { return {corner.u_px, corner.v_px}; }
-
-constexpr std::size_t kFewestMatches = 20;
-
-std::optional<PairCheck> CheckPair(const Corners& left,
-                                   const std::vector<const OrbKeypoint*>& right) {
-  std::vector<double> rows_px;
-  std::vector<double> disparities_px;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    if (right[i] == nullptr) continue;
-    const Eigen::Vector2d apart_px = PixelOf(left[i]) - PixelOf(*right[i]);
-    disparities_px.push_back(apart_px.x());
-    rows_px.push_back(std::abs(apart_px.y()));
-  }
-  if (rows_px.size() < kFewestMatches) return std::nullopt;
-  const bool same = *std::ranges::max_element(rows_px) == 0.0 &&
-                    std::ranges::all_of(disparities_px, [](double px) { return px == 0.0; });
-  PairCheck pair{0, rows_px.size(), Median(std::move(rows_px)), Median(std::move(disparities_px)),
-                 ""};
-  if (same) {
-    pair.problem = "the left and right images are the same";
-  } else if (pair.disparity_px < 0.0) {
-    pair.problem =
-        "left and right seem to be swapped: points are farther right in the right image than in "
-        "the left";
-  }
-  return pair;
-}
-
-// What the images of a frame and a later one tell: medians over corners.
-struct Sample {
-  std::optional<PairCheck> pair;
-  double depth_m = 0.0;
-  double flow_px = 0.0;   // of the left image
-  double error_px = 0.0;  // of what depths and ground truth predict for the later frame
-};
-
-// Compares the corners of a frame, triangulated, with where the ground truth puts them later.
-void Predict(const StereoCamera& camera, const RigidTransform& later_from_camera,
-             const Corners& left, const std::vector<const OrbKeypoint*>& right,
-             const std::vector<const OrbKeypoint*>& later, Sample& sample) {
-  constexpr double kLeastDisparity_px = 1.0;
-  std::vector<double> flows_px;
-  std::vector<double> errors_px;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    if (right[i] == nullptr || later[i] == nullptr) continue;
-    const double disparity_px = left[i].u_px - right[i]->u_px + camera.right_shift_px;
-    if (disparity_px < kLeastDisparity_px) continue;
-    const double depth_m = camera.fx * camera.baseline_m / disparity_px;
-    const Eigen::Vector3d p_in_later =
-        later_from_camera * Eigen::Vector3d((left[i].u_px - camera.cx) * depth_m / camera.fx,
-                                            (left[i].v_px - camera.cy) * depth_m / camera.fy,
-                                            depth_m);
-    flows_px.push_back((PixelOf(*later[i]) - PixelOf(left[i])).norm());
-    const Eigen::Vector2d predicted(camera.fx * p_in_later.x() / p_in_later.z() + camera.cx,
-                                    camera.fy * p_in_later.y() / p_in_later.z() + camera.cy);
-    errors_px.push_back(p_in_later.z() > 0.0 ? (PixelOf(*later[i]) - predicted).norm() : 1e9);
-  }
-  if (flows_px.size() < kFewestMatches) return;
-  sample.flow_px = Median(std::move(flows_px));
-  sample.error_px = Median(std::move(errors_px));
-}
-
-// Of a few frames over the sequence, each compared with the one a tenth of a second later.
-std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
-  constexpr std::size_t kSamples = 6;
-  constexpr double kApart_s = 0.1;
-  constexpr int kCorners = 1000;
-  const std::size_t frames = sequence.images.size();
-  const auto apart = static_cast<std::size_t>(std::max(1.0, std::round(kApart_s / step_s)));
-  std::vector<Sample> samples;
-  for (std::size_t k = 0; k < kSamples && apart < frames; ++k) {
-    const std::size_t i = k * (frames - 1 - apart) / (kSamples - 1);
-    if (k > 0 && i == (k - 1) * (frames - 1 - apart) / (kSamples - 1)) continue;
-    const Corners left = CornersOf(sequence, i, 0, kCorners);
-    const Corners right = CornersOf(sequence, i, 1, kCorners);
-    const std::vector<const OrbKeypoint*> partners = MatchAnywhere(left, right);
-    samples.push_back({CheckPair(left, partners)});
-    if (samples.back().pair && samples.back().pair->disparity_px > 0.0) {
-      samples.back().depth_m =
-          sequence.camera.fx * sequence.camera.baseline_m / samples.back().pair->disparity_px;
-    }
-    const auto& now = sequence.groundtruth_world_from_camera[i];
-    const auto& then = sequence.groundtruth_world_from_camera[i + apart];
-    if (!now || !then) continue;
-    const Corners later = CornersOf(sequence, i + apart, 0, kCorners);
-    Predict(sequence.camera, then->Inverse() * *now, left, partners, MatchAnywhere(left, later),
-            samples.back());
-  }
-  return samples;
-}
-
-// Finds contradictions between images, calibration and ground truth, in the median of the samples.
-void FindInImages(const std::vector<Sample>& samples, std::vector<std::string>& lines) {
-  constexpr double kMostRows_px = 1.0;
-  constexpr double kNearest_m = 0.1;
-  constexpr double kFarthest_m = 150.0;
-  constexpr double kLeastFlow_px = 3.0;  // less tells nothing
-  constexpr double kMostError = 0.4;     // part of the flow
-  std::vector<double> rows_px, depths_m, flows_px, errors;
-  std::vector<std::string> problems;
-  for (const Sample& sample : samples) {
-    if (sample.pair) rows_px.push_back(sample.pair->row_error_px);
-    if (sample.pair && !sample.pair->problem.empty()) problems.push_back(sample.pair->problem);
-    if (sample.depth_m > 0.0) depths_m.push_back(sample.depth_m);
-    if (sample.flow_px < kLeastFlow_px) continue;
-    flows_px.push_back(sample.flow_px);
-    errors.push_back(sample.error_px / sample.flow_px);
-  }
-  const auto most = [&](std::size_t count) { return 2 * count > samples.size(); };
-  if (most(problems.size())) {
-    lines.push_back("stereo pair: " + problems[0]);
-  } else if (most(rows_px.size()) && Median(rows_px) > kMostRows_px) {
-    lines.push_back(StrCat("stereo pair: points lie ", FormatFixed(Median(rows_px), 1),
-                           " px apart in rows (right images of other frames, or not rectified?)"));
-  } else if (most(depths_m.size()) &&
-             !(Median(depths_m) > kNearest_m && Median(depths_m) < kFarthest_m)) {
-    lines.push_back(StrCat("calibration: a median depth of ", FormatGeneral(Median(depths_m), 3),
-                           " m (is the baseline right?)"));
-  } else if (most(errors.size()) && Median(errors) > kMostError) {
-    lines.push_back(StrCat("ground truth of the camera: points move by ",
-                           FormatFixed(Median(flows_px), 1), " px in the images and end ",
-                           FormatFixed(100.0 * Median(errors), 0),
-                           " % of that away from where it puts them (another scale, order or "
-                           "clock, or a wrong baseline?)"));
-  }
-}
-
 }  // namespace
 
 void RefuseImpossible(const Sequence& sequence) {
@@ -354,16 +278,6 @@ void RefuseImpossible(const Sequence& sequence) {
   RefuseFractions(sequence.box_sources.labels, sequence.labels);
 }
 
-std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence) {
-  constexpr int kCorners = 1000;
-  const std::size_t middle = sequence.images.size() / 2;
-  const Corners left = CornersOf(sequence, middle, 0, kCorners);
-  std::optional<PairCheck> pair =
-      CheckPair(left, MatchAnywhere(left, CornersOf(sequence, middle, 1, kCorners)));
-  if (pair) pair->frame = sequence.first_frame + static_cast<int>(middle);
-  return pair;
-}
-
 std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated) {
   constexpr double kMostRepeated = 0.05;
   std::vector<std::string> lines = sequence.notes;
@@ -372,9 +286,12 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
        {std::pair{"detections", &sequence.detections}, std::pair{"labels", &sequence.labels}}) {
     FindBoxesBeyond(sequence, what, *boxes, lines);
     FindHalfSize(sequence, what, *boxes, lines);
+    FindUnusable(what, *boxes, lines);
     FindDoubled(what, *boxes, lines);
     FindOddBoxes(sequence, what, *boxes, lines);
+    FindOneBased(sequence, what, *boxes, lines);
   }
+  FindElsewhere(sequence, lines);
   const std::size_t frames = sequence.images.size();
   if (static_cast<double>(repeated) > kMostRepeated * static_cast<double>(frames)) {
     lines.push_back(StrCat("images: ", repeated, " of ", frames, " frames repeat the one before"));
@@ -386,7 +303,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
   FindJumps(sequence, steps_s, lines);
   const bool rendered = std::filesystem::exists(sequence.folder / "manifest.json");
   if (!rendered && PerturbationToJson(sequence.perturbation).empty()) {
-    FindInImages(SampleImages(sequence, Median(steps_s)), lines);
+    FindInImages(sequence, Median(steps_s), lines);
   }
   return lines;
 }

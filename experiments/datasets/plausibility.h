@@ -31,9 +31,12 @@ void RefuseImpossible(const Sequence& sequence);
 
 // Describes what is well-formed but unlikely, one line per finding, with the number that makes it
 // so, after the notes on reading: of the baseline, the times, the ground truth, the boxes and
-// labels, of images that repeat the ones before (`repeated` frames), and of images of a few frames
-// that contradict each other, the calibration or the ground truth (not of rendered scenes, whose
-// files are known). Empty if nothing is.
+// labels, of images that repeat the ones before (`repeated` frames), and of FindInImages (not for
+// rendered scenes, whose files are known). Empty if nothing is.
 std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0);
+
+// Adds what the images of a few frames contradict: each other, the calibration, the ground truth or
+// the boxes.
+void FindInImages(const Sequence& sequence, double step_s, std::vector<std::string>& lines);
 
 }  // namespace cvo

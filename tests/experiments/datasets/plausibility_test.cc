@@ -6,9 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <opencv2/imgproc.hpp>
 
+#include "core/base/rng.h"
 #include "experiments/datasets/sequence.h"
 #include "tests/support/error_message.h"
+#include "tests/support/image_file.h"
+#include "tests/support/temp_folder.h"
 
 namespace cvo {
 namespace {
@@ -41,10 +45,12 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
   for (int i = 0; i < 20; ++i) {
     good.timestamps_ns.push_back(100'000'000LL * i);
     ObjectBox box;
+    box.type = "Car";
     box.frame = i;
     box.left_px = box.top_px = 100.0;
     box.right_px = box.bottom_px = 300.0;
     good.detections.push_back(box);
+    box.type = "Van";
     box.box3d = {1.0, 1.0, 1.0, {-0.5, 0.3, 2.0}, 0.0};
     good.labels.push_back(box);
   }
@@ -66,13 +72,19 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
     };
   };
   const auto spoil_label = [](auto spoil) { return [spoil](Sequence& s) { spoil(s.labels[3]); }; };
+  const auto cut_boxes = [](double first_px) {
+    return [first_px](Sequence& s) {
+      for (ObjectBox& box : s.detections) box.left_px = first_px, box.right_px = first_px + 639.0;
+    };
+  };
   struct Case {
     std::function<void(Sequence&)> spoil;
     std::string message;
     std::size_t repeated = 0;
   };
   for (const Case& c :
-       {Case{[](Sequence&) {}, ""}, Case{[](Sequence&) {}, "", 1},
+       {Case{[](Sequence&) {}, ""},
+        Case{[](Sequence&) {}, "", 1},
         Case{[](Sequence&) {}, "images: 15 of 20 frames repeat", 15},
         Case{[](Sequence& s) { s.camera.baseline_m = 0.001; }, "a baseline of "},
         Case{scale_times(20.0), "times: a median of 2 s per frame"},
@@ -89,7 +101,26 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
         Case{[](Sequence& s) {
                for (ObjectBox& box : s.labels) box.box3d->bottom_in_camera.x() += 4.0;
              },
-             "labels: of 20 boxes in 3D, 20 have their centre beside"}}) {
+             "labels: of 20 boxes in 3D, 20 have their centre beside"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.labels) box.box3d->bottom_in_camera *= 0.5;
+             },
+             "labels: boxes in 3D are 2.5 times as high as their boxes in the image"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.detections) box.right_px = box.left_px;
+             },
+             "detections: 20 of 20 boxes are without extent"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.detections) box.type = "-1";
+             },
+             "detections: 20 of 20 boxes are without a class name"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.detections) box.left_px += 150.0, box.right_px += 150.0;
+               for (ObjectBox& label : s.labels) label.type = "Car";
+             },
+             "detections: only 0 of 20 labelled bodies in view have a box"},
+        Case{cut_boxes(0.0), ""},
+        Case{cut_boxes(1.0), "20 boxes begin at 1 and 20 end at 640"}}) {
     Sequence sequence = good;
     c.spoil(sequence);
     const std::string refused = ErrorMessage([&] { RefuseImpossible(sequence); });
@@ -99,7 +130,95 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
     }
     EXPECT_EQ(refused, "");
     const std::vector<std::string> lines = FindImplausible(sequence, c.repeated);
-    ASSERT_EQ(lines.size(), c.message.empty() ? 0U : 1U) << c.message;
+    ASSERT_EQ(lines.size(), c.message.empty() ? 0U : 1U) << testing::PrintToString(lines);
+    if (!lines.empty()) {
+      EXPECT_THAT(lines[0], HasSubstr(c.message));
+    }
+  }
+}
+
+// A camera that moves up and a little to the left, 2 m in front of a wall of random dots.
+TEST(Plausibility, ComparesImagesWithEverythingElse) {
+  constexpr double kFocal_px = 300.0, kDepth_m = 2.0, kDisparity_px = 15.0;
+  const cv::Size size(320, 240);
+  const Eigen::Vector2d step_px(1.0, 10.0);  // of points
+  cv::Mat dots(size.height * 2, size.width * 2, CV_8UC1, cv::Scalar(90));
+  Rng rng(1, "dots");
+  for (int i = 0; i < 1500; ++i) {
+    const cv::Point at(static_cast<int>(rng.Uniform(0.0, dots.cols)),
+                       static_cast<int>(rng.Uniform(0.0, dots.rows)));
+    cv::circle(dots, at, 2 + i % 4, cv::Scalar(i * 37 % 256), -1, cv::LINE_AA);
+  }
+  const test::TempFolder folder;
+  Sequence good;
+  good.camera = StereoCamera{
+      kFocal_px, kFocal_px, 160.0, 120.0, kDisparity_px * kDepth_m / kFocal_px, 320, 240};
+  good.folder = folder.path();
+  for (int i = 0; i < 6; ++i) {
+    const auto write = [&](const char* side, double disparity_px) {
+      const Eigen::Vector2d at = Eigen::Vector2d(80.0 + disparity_px, 100.0) - i * step_px;
+      const cv::Mat move = (cv::Mat_<double>(2, 3) << 1, 0, -at.x(), 0, 1, -at.y());
+      cv::Mat image;
+      cv::warpAffine(dots, image, move, size);
+      image(cv::Rect(200, 0, 120, 60)) = cv::Scalar(90);  // a part without corners
+      const auto path = folder.path() / StrCat(side, i, ".png");
+      test::WriteImageFile(path, image);
+      return path;
+    };
+    const auto left = write("left", 0.0);
+    good.images.push_back({left, write("right", kDisparity_px)});
+    good.timestamps_ns.push_back(100'000'000LL * i);
+    const Eigen::Vector2d moved_m = -i * step_px * kDepth_m / kFocal_px;
+    good.groundtruth_world_from_camera.push_back(RigidTransform(
+        Eigen::Quaterniond::Identity(), Eigen::Vector3d(moved_m.x(), moved_m.y(), 0.0)));
+    ObjectBox box;
+    box.type = "Car";
+    box.frame = i;
+    box.left_px = 230.0, box.right_px = 290.0, box.top_px = 80.0, box.bottom_px = 140.0;
+    good.detections.push_back(box);
+  }
+  const auto scale_truth = [](double x, double y) {
+    return [x, y](Sequence& s) {
+      for (auto& pose : s.groundtruth_world_from_camera) {
+        const Eigen::Vector3d at = pose->translation().cwiseProduct(Eigen::Vector3d(x, y, 1.0));
+        pose = RigidTransform(pose->rotation(), at);
+      }
+    };
+  };
+  struct Case {
+    std::function<void(Sequence&)> spoil;
+    std::string message;
+  };
+  for (const Case& c :
+       {Case{[](Sequence&) {}, ""},
+        Case{scale_truth(-1.0, 1.0), "px from where it puts them, and "},
+        Case{scale_truth(2.0, 2.0), "ground truth of the camera: points move by 10."},
+        Case{[](Sequence& s) { s.camera.baseline_m *= 0.2; }, "wrong baseline"},
+        Case{[](Sequence& s) { s.camera.baseline_m *= 0.02; }, "a median depth of 0.04"},
+        Case{[](Sequence& s) {
+               for (StereoPaths& paths : s.images) std::swap(paths.left, paths.right);
+             },
+             "left and right seem to be swapped"},
+        Case{[](Sequence& s) {
+               for (StereoPaths& paths : s.images) paths.right = paths.left;
+             },
+             "left and right images are the same"},
+        Case{[](Sequence& s) {
+               for (std::size_t i = 1; i < s.images.size(); ++i) {
+                 s.images[i - 1].right = s.images[i].right;
+               }
+             },
+             "points lie 10.0 px apart in rows"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.detections) box.top_px = 5.0, box.bottom_px = 55.0;
+             },
+             "detections: 5 of 5 boxes looked at show no corner"}}) {
+    Sequence sequence = good;
+    c.spoil(sequence);
+    std::vector<std::string> lines;
+    FindInImages(sequence, 0.1, lines);
+    ASSERT_EQ(lines.size(), c.message.empty() ? 0U : 1U)
+        << c.message << testing::PrintToString(lines);
     if (!lines.empty()) {
       EXPECT_THAT(lines[0], HasSubstr(c.message));
     }
