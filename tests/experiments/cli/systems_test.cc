@@ -162,33 +162,35 @@ TEST_F(CliSystems, AFaultOfOneFailsOneJobWithOneLine) {
       system["writes"]["objects"] = "{out}/objects";
     }
     if (std::string(fault.name) == "hang") system["limits"] = {{"time_s", 1}, {"memory_mb", 0}};
-    Json absent = System("absent", "");
-    absent["command"] = Json::array({"./none.sh"});
-    systems.push_back(absent);
-    const ProcessResult run = RunSuite(systems);
-    EXPECT_EQ(run.exit_code, 1) << run.err;
-    EXPECT_THAT(run.out, HasSubstr(StrCat(faults.size() + 3, " jobs: 2 done, ", faults.size() + 1,
-                                          " failed\n")));
-    EXPECT_EQ(LineCount(run.out), faults.size() + 2);
-    EXPECT_THAT(run.out, HasSubstr("failed: wall absent: ./none.sh: found no such program"));
-    for (const Fault& fault : faults) {
-      const std::string line = StrCat("failed: wall ", fault.name, ": ");
-      const std::size_t at = run.out.find(line);
-      ASSERT_NE(at, run.out.npos) << fault.name;
-      EXPECT_THAT(run.out.substr(at, run.out.find('\n', at) - at), HasSubstr(fault.message));
-    }
+    systems.push_back(system);
   }
+  Json absent = System("absent", "");
+  absent["command"] = Json::array({"./none.sh"});
+  systems.push_back(absent);
+  const ProcessResult run = RunSuite(systems);
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  EXPECT_THAT(run.out, HasSubstr(StrCat(faults.size() + 3, " jobs: 2 done, ", faults.size() + 1,
+                                        " failed\n")));
+  EXPECT_EQ(LineCount(run.out), faults.size() + 2);
+  EXPECT_THAT(run.out, HasSubstr("failed: wall absent, seed 1: ./none.sh: found no such program"));
+  for (const Fault& fault : faults) {
+    const std::string line = StrCat("failed: wall ", fault.name, ", seed 1: ");
+    const std::size_t at = run.out.find(line);
+    ASSERT_NE(at, run.out.npos) << fault.name;
+    EXPECT_THAT(run.out.substr(at, run.out.find('\n', at) - at), HasSubstr(fault.message));
+  }
+}
 
-  TEST_F(CliSystems, AFileOfSystemsNeedsNoSuite) {
-    const auto run = [&](const std::string& text) {
-      folder_.Write("mine.json", text);
-      return Run(
-          {"experiment", "run", "--systems", Path("mine.json"), "-o", Path("out"), "--dry-run"});
-    };
-    const Json file = {{"systems", Json::array({System("mine", kAtRest)})}};
-    EXPECT_THAT(run(file.dump()).out, HasSubstr("1 job: "));
-    ExpectError(run("{}"), "mine.json: found no \"systems\"");
-  }
+TEST_F(CliSystems, AFileOfSystemsNeedsNoSuite) {
+  const auto run = [&](const std::string& text) {
+    folder_.Write("mine.json", text);
+    return Run(
+        {"experiment", "run", "--systems", Path("mine.json"), "-o", Path("out"), "--dry-run"});
+  };
+  const Json file = {{"systems", Json::array({System("mine", kAtRest)})}};
+  EXPECT_THAT(run(file.dump()).out, HasSubstr("1 job: "));
+  ExpectError(run("{}"), "mine.json: found no \"systems\"");
+}
 
 }  // namespace
 }  // namespace cvo::test::systems_test
