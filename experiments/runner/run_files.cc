@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/runner/run_files.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -44,15 +42,6 @@ double PeakMemoryMb() {
   double kibibytes = 0.0;
   std::from_chars(text.data(), text.data() + text.size(), kibibytes);
   return kibibytes * 1024.0 / 1e6;
-}
-
-double CpuSeconds() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 std::string UtcNow() {
@@ -99,7 +88,7 @@ reports::TimingData ThisProcess() {
   timing.cpu = ProcValue("/proc/cpuinfo", "model name");
   timing.cpus = static_cast<int>(std::thread::hardware_concurrency());
   timing.peak_memory_mb = PeakMemoryMb();
-  timing.cpu_s = CpuSeconds();
+  timing.cpu_s = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   return timing;
 }
 

@@ -14,6 +14,7 @@
 #include "experiments/runner/run_job.h"
 #include "experiments/runner/system_run.h"
 #include "experiments/suite/suite.h"
+#include "experiments/suite/system_command.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
 #include "synth/write/render_cache.h"
@@ -340,7 +341,9 @@ class Planner {
       if (system.command.empty()) {
         request.files = SystemFilesOf(suite_, job, data_.root(), Absolute(request_.cache));
       } else {
-        request.program = WithInput(programs_.Of(system), system, input.sequence);
+        Json& program = programs_[system.name];
+        if (program.is_null()) program = IdentifyProgram(system);
+        request.program = WithInput(program, system, input.sequence);
         job.input = InputsKey(input.sequence, input.content, ClassesOf(SequenceOf(job)));
       }
       job.job = IdentifySystem(request);
@@ -373,7 +376,7 @@ class Planner {
   SceneFolders scenes_;
   std::map<std::string, Input> inputs_;
   std::map<std::string, Json> resolved_;
-  IdentifiedPrograms programs_;
+  std::map<std::string, Json> programs_;  // of systems, identified
   std::vector<Preparation> wanted_;
   std::set<fs::path> wanted_outputs_;
 };

@@ -167,19 +167,6 @@ void CheckGrid(const Suite& suite, const std::string& where) {
   }
 }
 
-void CheckSeeds(const std::vector<std::uint64_t>& seeds, const std::string& where) {
-  if (seeds.empty()) ThrowError(where, "none", "at least one");
-  if (std::set(seeds.begin(), seeds.end()).size() < seeds.size()) {
-    ThrowError(where, "a seed twice", "each once");
-  }
-}
-
-std::string ShippedNames() {
-  return Joined(ShippedTrajectories(), ", ", [](const ShippedTrajectory& trajectory) {
-    return StrCat(trajectory.system, " on ", trajectory.scene);
-  });
-}
-
 void CheckSystems(const Suite& suite, const std::string& where) {
   Names names = suite.variants;
   for (std::size_t i = 0; i < suite.systems.size(); ++i) {
@@ -190,8 +177,6 @@ void CheckSystems(const Suite& suite, const std::string& where) {
       ThrowError(at + ".name", Quoted(system.name) + " twice", "a unique name");
     }
     names.push_back(system.name);
-    CheckPlaceholders(system, at);
-    CheckSeeds(system.seeds, at + ".seeds");
     const auto any = [&](const auto& is) {
       return std::any_of(suite.sequences.begin(), suite.sequences.end(), is);
     };
@@ -201,7 +186,7 @@ void CheckSystems(const Suite& suite, const std::string& where) {
     }
     if (system.shipped() && !any([&](const auto& s) { return IsShipped(system.name, s); })) {
       ThrowError(at, "no \"command\" or \"writes\"",
-                 "these, or a trajectory that comes with the program: " + ShippedNames());
+                 "these, or a trajectory that comes with the program");
     }
   }
 }
@@ -303,7 +288,10 @@ void CheckSuite(const Suite& suite, const std::string& where) {
   if (suite.variants.empty() && suite.systems.empty()) {
     ThrowError(where + ", variants", "none", "at least one variant or system");
   }
-  CheckSeeds(suite.seeds, where + ", seeds");
+  if (suite.seeds.empty()) ThrowError(where + ", seeds", "none", "at least one");
+  if (std::set(suite.seeds.begin(), suite.seeds.end()).size() < suite.seeds.size()) {
+    ThrowError(where + ", seeds", "a seed twice", "each once");
+  }
   At(where + ", options", [&] {
     for (const std::string& variant : AnyVariants(suite)) OptionsOf(suite, variant, {});
   });

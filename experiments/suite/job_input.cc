@@ -11,6 +11,7 @@
 #include "core/files/text/number.h"
 #include "experiments/runner/given.h"
 #include "experiments/suite/suite.h"
+#include "experiments/suite/system_command.h"
 #include "synth/family/family.h"
 #include "synth/scene/object_reader.h"
 #include "synth/write/dataset.h"
@@ -143,7 +144,7 @@ SystemFiles SystemFilesOf(const Suite& suite, const PlanJob& job, const fs::path
     return ShippedSystemFiles(system.name, suite.sequences[job.entry], cache);
   }
   const auto below = [&](const std::string& file) {
-    return file.empty() ? fs::path() : data / ForJob(file, job.sequence, job.seed);
+    return file.empty() ? fs::path() : data / ForJob(file, job);
   };
   return {system.name, below(system.camera), below(system.objects)};
 }

@@ -24,6 +24,10 @@ struct SuiteFolder {
   std::filesystem::path log(const std::string& name) const {
     return root / "logs" / (name + ".log");
   }
+  // What the placeholders of other systems' commands lead to, by PlanJob::input.
+  std::filesystem::path inputs(const std::string& input) const {
+    return root / "inputs" / input.substr(0, 16);
+  }
   std::filesystem::path slurm() const { return root / "slurm"; }  // SlurmOptions::folder
   std::filesystem::path lock() const { return root / "lock"; }
 };

@@ -9,6 +9,7 @@
 #include "core/files/text_file.h"
 #include "experiments/runner/given.h"
 #include "experiments/suite/suite.h"
+#include "experiments/suite/system_command.h"
 #include "synth/family/family.h"
 #include "synth/scene/description.h"
 #include "synth/scene/object_reader.h"

@@ -19,6 +19,7 @@
 #include "experiments/runner/system_run.h"
 #include "experiments/suite/build_plan.h"
 #include "experiments/suite/suite.h"
+#include "experiments/suite/system_command.h"
 #include "variants/registry.h"
 
 namespace cvo {
@@ -99,24 +100,12 @@ void RunSystem(const Plan& plan, const PlanJob& job, const Sequence& sequence,
                         .files = {system.name},
                         .seed = job.seed,
                         .images = ImagesHash(images)};
-  if (system.command.empty()) {
-    request.files = SystemFilesOf(plan.suite, job, plan.data, cache);
-    folder.CheckIdentity(IdentifySystem(request), sequence);
-    WriteFilesAtomically(folder.path(), {{"result.json", ScoreSystem(request).result}});
-    return;
-  }
-  request.program = WithInput(IdentifyProgram(system), system, sequence);
+  const bool runs = !system.command.empty();
+  if (runs) request.program = WithInput(IdentifyProgram(system), system, sequence);
+  if (!runs) request.files = SystemFilesOf(plan.suite, job, plan.data, cache);
   folder.CheckIdentity(IdentifySystem(request), sequence);
-  SystemEnd end = RunProgram(system, {.sequence = sequence,
-                                      .name = job.sequence,
-                                      .classes = ClassesOf(plan.suite.sequences[job.entry]),
-                                      .seed = job.seed,
-                                      .inputs = inputs / job.input.substr(0, 16),
-                                      .folder = folder.path()});
-  request.files = end.files;
-  end.timing.job = job.job;
-  WriteFilesAtomically(folder.path(), {{"timing.json", FileText(end.timing)},
-                                       {"result.json", ScoreSystem(request).result}});
+  if (runs) request.files = RunProgram(plan.suite, job, sequence, inputs, folder.path());
+  WriteFilesAtomically(folder.path(), {{"result.json", ScoreSystem(request).result}});
 }
 
 }  // namespace
@@ -128,7 +117,7 @@ void RunPlannedJob(const Plan& plan, const std::string& id, const SuiteFolder& f
   RequireAsRendered(sequence);
   const JobFolder output(folder, id);
   if (!job.system.empty()) {
-    RunSystem(plan, job, sequence, cache, folder.root / "inputs", output);
+    RunSystem(plan, job, sequence, cache, folder.inputs(job.input), output);
     return;
   }
   RunVariant(plan, job, sequence, {cache / "frontend", CacheLimit(), notice}, output);

@@ -68,15 +68,6 @@ struct QueuedTask {
 // Tasks by (name of the array, task number).
 using Queue = std::map<std::pair<std::string, std::size_t>, QueuedTask>;
 
-double LargestLimit(const std::vector<Task>& tasks, double Task::*limit) {
-  double largest = 0.0;
-  for (const Task& task : tasks) {
-    if (task.*limit == 0.0) return 0.0;
-    largest = std::max(largest, task.*limit);
-  }
-  return largest;
-}
-
 // The state of one call of SlurmEngine::Run.
 class SlurmRun {
  public:
@@ -233,8 +224,13 @@ class SlurmRun {
     std::vector<std::string> argv = {"sbatch", "--parsable"};
     // An array has the largest of its tasks' limits, or none. Its script applies their own: one
     // minute earlier, because Slurm counts whole minutes.
-    const double limit_s = LargestLimit(tasks, &Task::limit_s);
-    const double limit_mb = LargestLimit(tasks, &Task::limit_memory_mb);
+    const auto largest = [&](double Task::*limit) {
+      return std::ranges::min(tasks, {}, limit).*limit > 0.0
+                 ? std::ranges::max(tasks, {}, limit).*limit
+                 : 0.0;
+    };
+    const double limit_s = largest(&Task::limit_s);
+    const double limit_mb = largest(&Task::limit_memory_mb);
     if (limit_s > 0.0) {
       argv.push_back(StrCat("--time=", std::int64_t(std::ceil(limit_s / 60.0)) + 1));
     }

@@ -13,7 +13,7 @@
 #include "core/interface/options.h"
 #include "core/record/suite_runs.h"
 #include "experiments/datasets/sequence.h"
-#include "experiments/suite/system_command.h"
+#include "experiments/runner/system_run.h"
 
 namespace cvo {
 
@@ -44,6 +44,25 @@ std::string FamilyOf(const SuiteSequence& sequence);
 struct GridAxis {
   std::string path;
   std::vector<Json> values;
+};
+
+// Another system: a program that is run on each sequence, or the trajectories that one has left.
+struct SuiteSystem {
+  std::string name;
+  std::vector<std::string> command;  // with placeholders; empty: `camera` exists already
+  std::vector<std::string> version;  // a command that prints the version; empty: none
+  std::string calibration;           // form of {calibration}, one of CalibrationForms()
+  // The files that hold its poses, as SystemFiles: with a command below {out}, else below the data
+  // folder. Both empty: shipped with the program (ShippedTrajectories).
+  std::string camera;
+  std::string objects;
+  std::vector<std::uint64_t> seeds;
+  // Limits of one job instead of those of all jobs (PlanRun); 0: none.
+  std::optional<double> limit_s;
+  std::optional<double> limit_memory_mb;
+
+  bool shipped() const { return camera.empty(); }
+  bool Uses(const std::string& placeholder) const;  // such as "{detections}"
 };
 
 // How `experiment table` tabulates the results.

@@ -2,21 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/suite/system_command.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <functional>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
-#include <sstream>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "core/files/sha256.h"
-#include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/images.h"
@@ -33,9 +27,6 @@ namespace fs = std::filesystem;
 using Texts = std::vector<std::string>;
 using Values = std::map<std::string, std::string>;  // by placeholder
 
-const Texts kPlaceholders = {"left",       "right", "times", "calibration",
-                             "detections", "out",   "seed",  "sequence"};
-
 std::string Filled(std::string text, const Values& values) {
   for (const auto& [name, value] : values) {
     const std::string key = "{" + name + "}";
@@ -46,18 +37,6 @@ std::string Filled(std::string text, const Values& values) {
   return text;
 }
 
-// Returns the file of a program, which is searched for in PATH unless it has a folder.
-fs::path FindExecutable(const std::string& program) {
-  const char* path = program.find('/') == program.npos ? std::getenv("PATH") : nullptr;
-  std::istringstream folders(path == nullptr ? "" : path);
-  std::string folder;
-  do {
-    const fs::path file = fs::path(folder) / program;
-    if (fs::is_regular_file(file) && ::access(file.c_str(), X_OK) == 0) return fs::absolute(file);
-  } while (std::getline(folders, folder, ':'));
-  ThrowError(program, "no such program", "a file that can be executed");
-}
-
 std::string LastLine(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \r\n");
   if (end == text.npos) return "no output";
@@ -66,17 +45,15 @@ std::string LastLine(const std::string& text) {
 }
 
 std::string VersionOf(const Texts& version) {
-  constexpr std::chrono::seconds kLimit(60);
+  constexpr std::chrono::seconds kLimit(10);
   if (version.empty()) return "";
   const auto start = std::chrono::steady_clock::now();
   const Captured said = Capture(
       version, [&](const auto&) { return std::chrono::steady_clock::now() - start > kLimit; });
-  if (said.exit_code != 0) {
-    ThrowError(Joined(version, " "),
-               StrCat("exit code ", said.exit_code, ", ", LastLine(said.out + said.err)),
-               "its version, with exit code 0");
-  }
-  return said.out.substr(0, said.out.find('\n'));
+  if (said.exit_code == 0) return said.out.substr(0, said.out.find('\n'));
+  ThrowError(Joined(version, " "),
+             StrCat("exit code ", said.exit_code, ", ", LastLine(said.out + said.err)),
+             "its version, with exit code 0");
 }
 
 // The focal lengths and centres of both cameras; an error of the rectification moves the right one.
@@ -117,13 +94,8 @@ std::string EurocCalibration(const Pair& pair, bool right) {
                 "distortion_coefficients: [0.0, 0.0, 0.0, 0.0]\n");
 }
 
-// Their reader takes "35" for an integer where it wants a real number.
-std::string Real(double number) {
-  const std::string text = FormatDouble(number);
-  return text.find_first_of(".e") == text.npos ? text + ".0" : text;
-}
-
-// Settings with the number of corners and the depth limit that are usual for ORB-SLAM.
+// Settings with the number of corners and the depth limit that are usual for ORB-SLAM. Its reader
+// wants real numbers with a point.
 std::string OrbSlamCalibration(const Pair& pair) {
   const StereoCamera& c = pair.camera;
   std::string text = "%YAML:1.0\nCamera.type: \"PinHole\"\n";
@@ -132,7 +104,8 @@ std::string OrbSlamCalibration(const Pair& pair) {
       {"cy", c.cy},         {"k1", 0.0},  {"k2", 0.0},
       {"p1", 0.0},          {"p2", 0.0},  {"bf", c.fx * c.baseline_m},
       {"fps", pair.rate_hz}};
-  for (const auto& [key, value] : reals) text += StrCat("Camera.", key, ": ", Real(value), "\n");
+  for (const auto& [key, value] : reals)
+    text += StrCat("Camera.", key, ": ", FormatFixed(value, 9), "\n");
   return text + StrCat("Camera.width: ", c.width_px, "\nCamera.height: ", c.height_px,
                        "\nCamera.RGB: 1\nThDepth: 35.0\nORBextractor.nFeatures: 2000\n",
                        "ORBextractor.scaleFactor: 1.2\nORBextractor.nLevels: 8\n",
@@ -196,8 +169,12 @@ void GiveImage(const Sequence& sequence, std::size_t index, int side, const fs::
   cv::imwrite(name.string() + ".png", image.grey);
 }
 
-void FillInputs(const SystemJob& job, const fs::path& folder) {
-  const Sequence& sequence = job.sequence;
+// Writes what placeholders lead to, unless an earlier job has.
+void WriteInputs(const Sequence& sequence, const Texts& classes, const fs::path& inputs) {
+  std::error_code ignored;
+  if (fs::exists(inputs, ignored)) return;
+  RemoveLeftovers(inputs.parent_path());
+  const fs::path folder = TemporaryName(inputs);
   const Texts sides = {"left", "right"};
   for (const char* name : {"left", "right", "euroc/cam0", "euroc/cam1"}) {
     fs::create_directories(folder / name);
@@ -209,26 +186,13 @@ void FillInputs(const SystemJob& job, const fs::path& folder) {
   }
   const Pair pair(sequence);
   WriteFilesAtomically(folder, {{"times.txt", times},
-                                {"detections.txt", DetectionRows(sequence, job.classes)},
+                                {"detections.txt", DetectionRows(sequence, classes)},
                                 {"calib.txt", KittiCalibration(pair)},
                                 {"euroc/cam0/sensor.yaml", EurocCalibration(pair, false)},
                                 {"euroc/cam1/sensor.yaml", EurocCalibration(pair, true)},
                                 {"orb_slam.yaml", OrbSlamCalibration(pair)},
                                 {"calib.json", JsonCalibration(pair)}});
-}
-
-// Writes what placeholders lead to, unless an earlier job has.
-void WriteInputs(const SystemJob& job) {
-  std::error_code ignored;
-  if (fs::exists(job.inputs, ignored)) return;
-  const fs::path folder = TemporaryName(job.inputs);
-  try {
-    FillInputs(job, folder);
-    fs::rename(folder, job.inputs, ignored);  // fails if another job was faster
-  } catch (...) {
-    fs::remove_all(folder, ignored);
-    throw;
-  }
+  fs::rename(folder, inputs, ignored);  // fails if another job was faster
   fs::remove_all(folder, ignored);
 }
 
@@ -245,41 +209,20 @@ Texts CalibrationForms() {
   return forms;
 }
 
-std::string ForJob(std::string text, const std::string& sequence, std::uint64_t seed) {
-  return Filled(std::move(text), {{"sequence", sequence}, {"seed", std::to_string(seed)}});
+std::string ForJob(const std::string& text, const PlanJob& job) {
+  return Filled(text, {{"sequence", job.sequence}, {"seed", std::to_string(job.seed)}});
 }
 
 void ResolveCommands(const fs::path& folder, Json& suite) {
-  if (folder.empty() || !suite.is_object() || !suite.contains("systems") ||
-      !suite["systems"].is_array())
-    return;
+  if (folder.empty() || !suite.is_object() || !suite.contains("systems")) return;
   for (Json& system : suite["systems"]) {
     for (const char* key : {"command", "version"}) {
       if (!system.is_object() || !system.contains(key) || !system[key].is_array()) continue;
       for (Json& word : system[key]) {
-        const std::string text = word.is_string() ? word.get<std::string>() : "";
-        const bool is_path = text.find('/') != text.npos;
         std::error_code ignored;
-        const fs::path file = folder / text;
-        const bool found = is_path ? fs::exists(file, ignored)
-                                   : &word != &system[key][0] && fs::is_regular_file(file, ignored);
-        if (found) word = fs::absolute(file).lexically_normal().string();
+        const fs::path file = folder / (word.is_string() ? word.get<std::string>() : "");
+        if (word != "" && fs::exists(file, ignored)) word = file.lexically_normal().string();
       }
-    }
-  }
-}
-
-void CheckPlaceholders(const SuiteSystem& system, const std::string& where) {
-  Texts texts = system.command;
-  texts.insert(texts.end(), {system.camera, system.objects});
-  for (const std::string& text : texts) {
-    for (std::size_t at = 0; (at = text.find('{', at)) != text.npos; ++at) {
-      const std::string name = text.substr(at + 1, text.find('}', at) - at - 1);
-      const bool known =
-          std::find(kPlaceholders.begin(), kPlaceholders.end(), name) != kPlaceholders.end();
-      const std::string meant = known ? "" : DidYouMean(name, kPlaceholders);
-      if (!meant.empty())
-        ThrowError(where, Quoted(text) + meant, "{" + Joined(kPlaceholders, "}, {") + "}");
     }
   }
 }
@@ -287,28 +230,19 @@ void CheckPlaceholders(const SuiteSystem& system, const std::string& where) {
 Json IdentifyProgram(const SuiteSystem& system) {
   Json command = Json::array();
   for (const std::string& argument : system.command) {
-    const fs::path file = command.empty() ? FindExecutable(argument) : fs::path(argument);
+    const fs::path file = argument;
     std::error_code ignored;
-    command.push_back(fs::is_regular_file(file, ignored)
-                          ? StrCat(file.filename().string(), " ", Sha256Hex(ReadFileBytes(file)))
-                          : argument);
+    const bool is_file = argument.find('/') != argument.npos && fs::is_regular_file(file, ignored);
+    if (command.empty() && argument.find('/') != argument.npos && !is_file) {
+      ThrowError(argument, "no such program", "a file that can be executed");
+    }
+    command.push_back(
+        is_file ? StrCat(file.filename().string(), " ", Sha256Hex(ReadFileBytes(file))) : argument);
   }
   return {{"command", command},
           {"version", VersionOf(system.version)},
           {"calibration", system.calibration},
           {"writes", {system.camera, system.objects}}};
-}
-
-Json IdentifiedPrograms::Of(const SuiteSystem& system) {
-  const auto [found, added] = known_.try_emplace(system.name);
-  auto& [program, problem] = found->second;
-  try {
-    if (added) program = IdentifyProgram(system);
-  } catch (const Error& error) {
-    problem = error.what();
-  }
-  if (!problem.empty()) throw Error(problem);
-  return program;
 }
 
 Json WithInput(Json program, const SuiteSystem& system, const Sequence& sequence) {
@@ -321,37 +255,37 @@ std::string InputsKey(const Sequence& sequence, const std::string& content, cons
                           Json(classes).dump()));
 }
 
-SystemEnd RunProgram(const SuiteSystem& system, const SystemJob& job) {
-  WriteInputs(job);
-  const fs::path out = job.folder / "out";
+SystemFiles RunProgram(const Suite& suite, const PlanJob& job, const Sequence& sequence,
+                       const fs::path& inputs, const fs::path& folder) {
+  const SuiteSystem& system = *SystemOf(suite, job);
+  WriteInputs(sequence, ClassesOf(suite.sequences[job.entry]), inputs);
+  const fs::path out = folder / "out";
   fs::remove_all(out);  // of an earlier try
   fs::create_directories(out);
-  Values values = {{"seed", std::to_string(job.seed)},
-                   {"sequence", job.name},
-                   {"out", out.string()},
-                   {"calibration", job.inputs / kCalibrations.at(system.calibration)}};
-  for (const char* name : {"left", "right"}) values[name] = job.inputs / name;
-  for (const char* name : {"times", "detections"}) values[name] = job.inputs / StrCat(name, ".txt");
+  Values values = {{"out", out.string()},
+                   {"calibration", inputs / kCalibrations.at(system.calibration)}};
+  for (const char* name : {"left", "right"}) values[name] = inputs / name;
+  for (const char* name : {"times", "detections"}) values[name] = inputs / StrCat(name, ".txt");
+  const auto filled = [&](const std::string& text) { return Filled(ForJob(text, job), values); };
   Texts argv;
-  for (const std::string& argument : system.command) argv.push_back(Filled(argument, values));
-  argv.front() = FindExecutable(argv.front()).string();
-  const fs::path log = job.folder / "output.txt";
+  for (const std::string& argument : system.command) argv.push_back(filled(argument));
+  const fs::path log = folder / "output.txt";
   const Measured measured = Measure(argv, out, log);
   if (!measured.problem.empty()) {
     throw Error(StrCat(system.name, ": ", measured.problem, ", its last line is ",
                        LastLine(ReadFileBytes(log)), " (", log.string(), ")"));
   }
-  SystemEnd end;
-  end.files = {system.name, out / Filled(system.camera, values),
-               system.objects.empty() ? fs::path() : out / Filled(system.objects, values), 0};
-  end.timing = ThisProcess();
-  end.timing.wall_s = measured.wall_s;
-  end.timing.cpu_s = measured.cpu_s;
-  end.timing.peak_memory_mb = measured.peak_memory_mb;
-  end.timing.frames_per_second = static_cast<double>(job.sequence.images.size()) / measured.wall_s;
-  end.timing.paths.sequence = fs::absolute(job.sequence.folder).string();
-  end.timing.paths.output = job.folder.string();
-  return end;
+  reports::TimingData timing = ThisProcess();
+  timing.job = job.job;
+  timing.wall_s = measured.wall_s;
+  timing.cpu_s = measured.cpu_s;
+  timing.peak_memory_mb = measured.peak_memory_mb;
+  timing.frames_per_second = static_cast<double>(sequence.images.size()) / measured.wall_s;
+  timing.paths.sequence = fs::absolute(sequence.folder).string();
+  timing.paths.output = folder.string();
+  WriteFilesAtomically(folder, {{"timing.json", FileText(timing)}});
+  const fs::path objects = filled(system.objects);
+  return {system.name, out / filled(system.camera), objects.empty() ? objects : out / objects, 0};
 }
 
 }  // namespace cvo
