@@ -157,7 +157,7 @@ TEST_P(EveryVariant, StaysNearTheTruthUnderPixelNoise) {
 
 TEST_P(EveryVariant, KeepsTheWindowWithinItsSize) {
   const WorldRun run = RunWorld(GetParam(), 60, 0.3, kUnchanged);
-  const WindowOptions defaults;
+  const WindowOptions defaults = FindVariant(GetParam()).defaults().window;
   for (const FrameReport& report : run.reports) {
     EXPECT_LE(report.window_frames, defaults.spatial + defaults.temporal);
     EXPECT_LE(report.spatial_ages.size(), static_cast<std::size_t>(defaults.spatial));

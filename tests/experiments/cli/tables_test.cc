@@ -116,7 +116,7 @@ TEST(CliTables, EveryFormatIsPrinted) {
   suite.Add(Result());
   EXPECT_THAT(Print(suite, {"--format", "markdown"}).out,
               AllOf(StartsWith("| sequence | variant |"), Not(HasSubstr("frames")),
-                    HasSubstr("\n1 of 1 runs, 1 scene a row; build ")));
+                    HasSubstr("\n1 of 1 runs, 1 scene a row; "), HasSubstr("; build abc\n")));
   EXPECT_THAT(Print(suite, {"--format", "markdown", "--all"}).out, StartsWith("**small**"));
   EXPECT_THAT(Print(suite, {"--format", "csv"}).out,
               AllOf(StartsWith("sequence,variant,frames,"), HasSubstr(",0.0625,")));

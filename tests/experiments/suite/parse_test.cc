@@ -239,7 +239,8 @@ TEST(ShippedSuites, IncludeEveryVariant) {
   EXPECT_EQ(ladder.back(), "full");
   EXPECT_EQ(ladder.size(), LoadSuite("leave_one_out").variants.size());
   std::set<std::string> names;
-  for (const char* suite : {"ablation_all", "corrections", "backends", "ladder", "leave_one_out"}) {
+  for (const char* suite :
+       {"ablation_all", "corrections", "backends", "ladder", "leave_one_out", "peers"}) {
     const std::vector<std::string> variants = LoadSuite(suite).variants;
     names.insert(variants.begin(), variants.end());
   }
