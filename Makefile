@@ -87,7 +87,7 @@ sweep: program ## one table per parameter that is swept
 	@$(call suite,sweep_association)
 
 # What the documents quote. Test scenes are drawn here alone; `make record` goes on where it stopped.
-recorded := ablation corrections kitti_raw
+recorded := ablation corrections corrections_street kitti_raw
 record := reports/RESULTS.md
 record: program ## DATA=<KITTI folder>: run what the documents quote; writes reports/RESULTS.md and their tables
 	$(if $(DATA),,$(error make record: give DATA=<KITTI folder>))

@@ -143,7 +143,10 @@ std::string BlockMarkdown(const TableTexts& texts, const TextBlock& block, std::
   std::string text = StrCat("| ", Joined(header, " | ", MarkdownEscaped), " |\n|");
   for (std::size_t i = 0; i < header.size(); ++i) text += i < keys ? "---|" : "---:|";
   text += "\n";
-  for (const TextLine& line : block.lines) text += LineMarkdown(line, keys, columns);
+  for (const TextLine& line : block.lines) {
+    const bool absent = line.row != nullptr && line.row->jobs.no_data == line.row->jobs.planned;
+    if (!absent) text += LineMarkdown(line, keys, columns);
+  }
   return text + "\n";
 }
 
