@@ -325,7 +325,9 @@ std::string TableMarkdown(const Table& table) {
 std::string ShortMarkdown(const Table& table) {
   const TableTexts texts = MakeTexts(table);
   std::string text = BlockMarkdown(texts, texts.blocks[0], table.keys.size(), KeyColumns(table));
-  for (const std::string& note : ShortNotes(table, texts)) text += MarkdownEscaped(note) + "; ";
+  Table noted = table;  // without the folder that a sequence was not found in
+  std::erase_if(noted.problems, [](const Problem& problem) { return problem.state == "no data"; });
+  for (const std::string& note : ShortNotes(noted, texts)) text += MarkdownEscaped(note) + "; ";
   for (const std::string& build : table.provenance.builds) text += "build " + build.substr(0, 12);
   return text + "\n";
 }
