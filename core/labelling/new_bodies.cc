@@ -17,15 +17,15 @@ bool AnyContains(const Boxes& boxes, const StereoFeature& feature, BoxOf box_of)
   });
 }
 
-bool IsDetected(std::span<const Detection> detections, const StereoFeature& feature) {
-  return AnyContains(detections, feature, [](const Detection& d) { return d.box; });
-}
-
 bool IsExpected(const std::vector<ClusterTrack>& tracks, const StereoFeature& feature) {
   return AnyContains(tracks, feature, [](const ClusterTrack& track) { return track.box; });
 }
 
 }  // namespace
+
+bool IsDetected(std::span<const Detection> detections, const StereoFeature& feature) {
+  return AnyContains(detections, feature, [](const Detection& d) { return d.box; });
+}
 
 std::vector<int> SceneFeatures(const std::vector<StereoFeature>& features,
                                std::span<const Detection> detections) {

@@ -25,6 +25,9 @@ struct FramePoint {
   int landmark = -1;  // index into the owner's landmarks
 };
 
+// Whether the feature lies in the box of a detection.
+bool IsDetected(std::span<const Detection> detections, const StereoFeature& feature);
+
 // Returns the indices of features that may show the static scene: all except those found in the
 // left image only and reserve features outside all detections, which would cost time without
 // improving a scene that has enough features.

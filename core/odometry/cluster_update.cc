@@ -7,15 +7,13 @@
 
 #include "core/estimation/camera_solver.h"
 #include "core/estimation/double_track.h"
+#include "core/labelling/new_bodies.h"
 
 namespace cvo {
 
 ShownBodies MaskDetections::Show(StereoFrame& frame) {
   for (StereoFeature& feature : frame.features) {
-    const auto holds = [&](const Detection& detection) {
-      return detection.box.Contains(feature.z_px[0], feature.z_px[1]);
-    };
-    if (std::ranges::any_of(frame.detections, holds)) feature.disagreement_px = kNoDisparity_px;
+    if (IsDetected(frame.detections, feature)) feature.disagreement_px = kNoDisparity_px;
   }
   return {};
 }
