@@ -181,6 +181,15 @@ TEST_F(CliSystems, AFaultOfOneFailsOneJobWithOneLine) {
   }
 }
 
+TEST_F(CliSystems, AVersionIsAskedForOnce) {
+  Json system = System("unknown", kAtRest);
+  system["version"] = {"sh", "-c", "echo asked >> " + Path("asked") + "; exit 3"};
+  system["seeds"] = 3;
+  const ProcessResult run = RunSuite(Json::array({system}));
+  EXPECT_THAT(run.out, HasSubstr("failed: wall unknown, seed 3: sh -c"));
+  EXPECT_EQ(ReadFileBytes(Path("asked")), "asked\n");
+}
+
 TEST_F(CliSystems, AFileOfSystemsNeedsNoSuite) {
   const auto run = [&](const std::string& text) {
     folder_.Write("mine.json", text);
