@@ -3,6 +3,7 @@
 #include "experiments/suite/build_plan.h"
 
 #include <algorithm>
+#include <future>
 #include <map>
 #include <set>
 #include <utility>
@@ -334,21 +335,6 @@ class Planner {
     return resolved_.emplace(key, OptionsToJson(OptionLeaves(options))).first->second;
   }
 
-  // Asks each program for its version once, also one that fails or hangs.
-  const Json& ProgramOf(const SuiteSystem& system) {
-    const auto [found, first] = programs_.try_emplace(system.name);
-    auto& [program, problem] = found->second;
-    if (first) {
-      try {
-        program = IdentifyProgram(system);
-      } catch (const Error& error) {
-        problem = error.what();
-      }
-    }
-    if (!problem.empty()) throw Error(problem);
-    return program;
-  }
-
   void IdentifyFiles(const Input& input, PlanJob& job) {
     const SuiteSystem& system = *SystemOf(suite_, job);
     SystemRequest request{input.sequence, input.content, {system.name}, job.seed};
@@ -356,7 +342,12 @@ class Planner {
       if (system.command.empty()) {
         request.files = SystemFilesOf(suite_, job, data_.root(), Absolute(request_.cache));
       } else {
-        request.program = WithInput(ProgramOf(system), system, input.sequence);
+        // Asked once for its version, also one that fails or hangs.
+        std::shared_future<Json>& program = programs_[system.name];
+        if (!program.valid()) {
+          program = std::async(std::launch::deferred, IdentifyProgram, system).share();
+        }
+        request.program = WithInput(program.get(), system, input.sequence);
         job.input = InputsKey(input.sequence, input.content, ClassesOf(SequenceOf(job)));
       }
       job.job = IdentifySystem(request);
@@ -389,8 +380,7 @@ class Planner {
   SceneFolders scenes_;
   std::map<std::string, Input> inputs_;
   std::map<std::string, Json> resolved_;
-  // Identity of the program of each system, or why there is none.
-  std::map<std::string, std::pair<Json, std::string>> programs_;
+  std::map<std::string, std::shared_future<Json>> programs_;  // of systems, identified
   std::vector<Preparation> wanted_;
   std::set<fs::path> wanted_outputs_;
 };
