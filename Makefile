@@ -95,6 +95,10 @@ minutes = $(shell awk '!/^\#/ && $$3 ~ "$(1)"{n += $$2} END{print n}' reports/re
 recorded_run = $(release)/bin/clustervo experiment run $(1) -o $(2) --data "$(DATA)" $(addprefix -j ,$(JOBS)) $(3); \
   test $$? -le 1
 recorded_table = $(release)/bin/clustervo experiment table $(1) --format markdown
+# A figure of a suite to reports/record, and the line that shows it.
+recorded_figure = $(release)/bin/clustervo plot results/$(1) --only $(2) -o results/$(1)/figures > /dev/null && \
+  mkdir -p reports/record && cp results/$(1)/figures/$(2).svg reports/record/$(1).svg && \
+  printf '![%s](record/%s.svg)\n\n' $(1) $(1)
 $(foreach goal,$(filter record record-quick,$(MAKECMDGOALS)),$(if $(DATA),$(info make $(goal): \
   $(call minutes,$(if $(filter record-quick,$(goal)),quick)) minutes on two idle cores (reports/record.txt)),\
   $(error make $(goal): give DATA=<KITTI folder>)))
@@ -102,6 +106,7 @@ record: program ## DATA=<KITTI folder>: run what the documents quote; writes rep
 	@for suite in $(recorded); do $(call recorded_run,$$suite,results/$$suite) || exit 1; done
 	@{ sed '/^## /,$$d' $(record); for suite in $(recorded); do \
 	  printf '## %s\n\n' $$suite; $(call recorded_table,results/$$suite) || test $$? -eq 1 || exit 2; echo; \
+	  case $$suite in pareto*) $(call recorded_figure,$$suite,pareto);; esac; \
 	done; } > $(record).new && mv $(record).new $(record)
 	@.ci/quote-record $(record) $$(grep -rl '^<!-- record: ' --include='*.md' README.md core experiments)
 
