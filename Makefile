@@ -5,7 +5,7 @@
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help deps build program deb demo report table table-all table-kitti sweep record record-status regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
+.PHONY: help deps build program deb demo report table table-all table-kitti sweep record record-quick record-status regression baseline test fuzz bench asan asan-variants tsan valgrind format format-check lint clean
 
 release := build/release
 asan := build/asan
@@ -87,23 +87,41 @@ sweep: program ## one table per parameter that is swept
 	@$(call suite,sweep_association)
 
 # What the documents quote. Test scenes are drawn here alone; `make record` goes on where it stopped.
-recorded := ablation corrections corrections_street kitti_raw
 record := reports/RESULTS.md
+recorded := $(shell awk '!/^\#/{print $$1}' reports/record.txt)
+sampled := $(shell awk '$$3 == "quick"{print $$1}' reports/record.txt)
+minutes = $(shell awk '!/^\#/ && $$3 ~ "$(1)"{n += $$2} END{print n}' reports/record.txt)
+# A suite to a folder; its table in Markdown.
+recorded_run = $(release)/bin/clustervo experiment run $(1) -o $(2) --data "$(DATA)" $(addprefix -j ,$(JOBS)) $(3); \
+  test $$? -le 1
+recorded_table = $(release)/bin/clustervo experiment table $(1) --format markdown
+# A figure of a suite to reports/record, and the line that shows it.
+recorded_figure = $(release)/bin/clustervo plot results/$(1) --only $(2) -o results/$(1)/figures > /dev/null && \
+  mkdir -p reports/record && cp results/$(1)/figures/$(2).svg reports/record/$(1).svg && \
+  printf '![%s](record/%s.svg)\n\n' $(1) $(1)
+$(foreach goal,$(filter record record-quick,$(MAKECMDGOALS)),$(if $(DATA),$(info make $(goal): \
+  $(call minutes,$(if $(filter record-quick,$(goal)),quick)) minutes on two idle cores (reports/record.txt)),\
+  $(error make $(goal): give DATA=<KITTI folder>)))
 record: program ## DATA=<KITTI folder>: run what the documents quote; writes reports/RESULTS.md and their tables
-	$(if $(DATA),,$(error make record: give DATA=<KITTI folder>))
-	@for suite in $(recorded); do \
-	  $(release)/bin/clustervo experiment run $$suite -o results/$$suite --data "$(DATA)" $(addprefix -j ,$(JOBS)); \
-	  test $$? -le 1 || exit 1; \
-	done
+	@for suite in $(recorded); do $(call recorded_run,$$suite,results/$$suite) || exit 1; done
 	@{ sed '/^## /,$$d' $(record); for suite in $(recorded); do \
-	  printf '## %s\n\n' $$suite; $(release)/bin/clustervo experiment table results/$$suite --format markdown; echo; \
+	  printf '## %s\n\n' $$suite; $(call recorded_table,results/$$suite) || test $$? -eq 1 || exit 2; echo; \
+	  case $$suite in pareto*) $(call recorded_figure,$$suite,pareto);; esac; \
 	done; } > $(record).new && mv $(record).new $(record)
-	@.ci/quote-record $(record) README.md core/METHOD.md
+	@.ci/quote-record $(record) $$(grep -rl '^<!-- record: ' --include='*.md' README.md core experiments)
+
+record-quick: program ## DATA=<KITTI folder>: run a sample of the record again and compare: results/record_quick
+	@mkdir -p results/record_quick; code=0; for suite in $(sampled); do \
+	  $(call recorded_run,$$suite,results/record_quick/$$suite,-q > /dev/null) || exit 2; \
+	  $(call recorded_table,results/record_quick/$$suite) > results/record_quick/$$suite.table; \
+	  .ci/compare-record $(record) $$suite results/record_quick/$$suite.table || code=1; \
+	done; exit $$code
 
 record-status: program ## whether this program is the one of reports/RESULTS.md
-	@build=$$($(release)/bin/clustervo --version | sed -n 's/^build *\(.\{12\}\).*/\1/p'); \
-	awk -v build=$$build '/^## /{suite=$$2} match($$0, /build [0-9a-f]+/){r=substr($$0,RSTART+6,12); \
-	  print suite ": " (r == build ? "of this build" : "of build " r "; make regression tells whether a value has moved")}' $(record)
+	@build=$$($(release)/bin/clustervo --version | sed -n 's/^build *\(.\{12\}\).*/\1/p'); for suite in $(recorded); do \
+	  awk -v build=$$build -v suite=$$suite '/^## /{ours = $$2 == suite} ours && match($$0, /build [0-9a-f]+/){r=substr($$0,RSTART+6,12)} \
+	  END{print suite ": " (!r ? "not in the record" : r == build ? "of this build" : "of build " r "; make record-quick tells whether a value has moved")}' $(record); \
+	done
 
 # The page is also made where jobs failed, and says so.
 SUITE ?= ablation

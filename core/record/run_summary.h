@@ -124,7 +124,7 @@ struct TimingData {
   RunPaths paths;
   double peak_memory_mb = 0.0;  // 10^6 bytes, of the whole process
   double wall_s = 0.0;
-  double cpu_s = 0.0;  // of all threads, of the whole process
+  double cpu_s = 0.0;  // of all threads, in wall_s
   double frames_per_second = 0.0;
   std::map<std::string, StageSummary> stages;
   Json frames = Json::array();  // {frame, <stage>_ms ...}

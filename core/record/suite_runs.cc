@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/record/suite_runs.h"
 
+#include <algorithm>
 #include <set>
 
 namespace cvo::reports {
@@ -48,6 +49,13 @@ void ReadResult(const fs::path& file, const std::vector<std::string>& metrics, S
   try {
     RunSummary summary = ReadRun(file, metrics);
     CheckRunOf(run.planned, summary);
+    const fs::path times = file.parent_path() / "timing.json";
+    if (std::find(metrics.begin(), metrics.end(), kFrameCpu) != metrics.end() &&
+        fs::exists(times)) {
+      const int frames = std::max(summary.sequence.frames, 1);
+      const double cpu_ms = 1e3 * ReadRecord<TimingData>(times).cpu_s / frames;
+      summary.metrics.push_back({kFrameCpu, cpu_ms, MetricUnit::kMs, frames, {}, {}});
+    }
     run.state = summary.status;
     run.message = summary.message;
     if (run.state == "ok" || run.state == "lost") {
@@ -104,6 +112,9 @@ SuitePlan ReadPlan(const fs::path& plan_file) {
   }
   const auto file = ReadRecord<PlanFile>(plan_file);
   SuitePlan plan{file.table, plan_file, file.suite.name, file.suite.about, {}};
+  if (file.definition.contains("timed_threads")) {
+    plan.metrics.insert(plan.metrics.begin(), kFrameCpu);
+  }
   for (const PlanJob& job : file.jobs) plan.runs.push_back(Planned(job));
   if (plan.runs.empty())
     ThrowError(plan_file.string() + ", field jobs", "none", "at least one job");

@@ -113,6 +113,9 @@ struct PlannedRun : PlanJob {
   std::map<std::string, std::string> keys;
 };
 
+// First column of a suite that measures times, from the timing.json of its runs.
+inline constexpr char kFrameCpu[] = "CPU per frame";
+
 // Value of a suite's reference with which each row is compared with the one before it.
 inline constexpr std::string_view kRowAbove = "the row above";
 

@@ -81,6 +81,15 @@ std::vector<double> Samples_ms(const std::vector<float>& times_s) {
 
 }  // namespace
 
+double CpuSeconds(int whose) {
+  rusage usage{};
+  ::getrusage(whose, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
 reports::TimingData ThisProcess() {
   reports::TimingData timing;
   timing.date = UtcNow();
@@ -88,13 +97,13 @@ reports::TimingData ThisProcess() {
   timing.cpu = ProcValue("/proc/cpuinfo", "model name");
   timing.cpus = static_cast<int>(std::thread::hardware_concurrency());
   timing.peak_memory_mb = PeakMemoryMb();
-  timing.cpu_s = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   return timing;
 }
 
 std::string TimingFile(const RunResult& run) {
   reports::TimingData timing = run.timing;
   timing.wall_s = run.wall_s;
+  timing.cpu_s = run.cpu_s;
   const double count = static_cast<double>(run.frames.size());
   timing.frames_per_second = run.wall_s > 0.0 ? count / run.wall_s : 0.0;
   for (const auto& [stage, times_s] : run.times_s) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sys/resource.h>
+
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -24,6 +26,10 @@ namespace cvo {
 // Returns date, host, CPU, peak memory and number of CPUs of the running process, the head of its
 // timing.json.
 reports::TimingData ThisProcess();
+
+// Seconds of all processors that this process has taken, or with RUSAGE_CHILDREN the programs that
+// it has waited for.
+double CpuSeconds(int whose = RUSAGE_SELF);
 
 // Content of timing.json: run.timing with wall time per frame by stage in ms, and frames per
 // second.

@@ -188,6 +188,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
   const std::vector<std::vector<ObjectBox>> boxes = DetectionsByFrame(sequence);
   TruthOfFrame beside{truth, Oracle(sequence, request.oracle, truth)};
   const auto run_start = std::chrono::steady_clock::now();
+  const double cpu_start_s = CpuSeconds();
   TaskPool pool(request.threads);
   const std::unique_ptr<Odometry> odometry =
       request.variant.make({sequence.camera, request.options, request.seed}, pool);
@@ -211,6 +212,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
       result.detections.skipped += static_cast<int>(boxes[i].size());
     }
     result.wall_s -= beside.seconds;
+    result.cpu_s -= beside.seconds;
     try {
       Estimate(frame, *odometry, prepared.times_s, record);
     } catch (const Error& error) {
@@ -226,6 +228,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
     if (request.stop()) return std::nullopt;
   }
   result.wall_s += SecondsSince(run_start);
+  result.cpu_s += CpuSeconds() - cpu_start_s;
   Refine(*odometry, result);
   JudgeStatus(result);
   if (result.status != RunStatus::kFailed) source.Finish();

@@ -89,6 +89,7 @@ struct RunResult : RunRequest {
   // therefore never part of a result.
   std::map<std::string, std::vector<float>> times_s;
   double wall_s = 0.0;
+  double cpu_s = 0.0;  // the same, of all threads
   // From RunJob on:
   RunScores scores;
   std::vector<std::string> warnings;  // of FindImplausible

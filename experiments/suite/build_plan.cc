@@ -3,6 +3,7 @@
 #include "experiments/suite/build_plan.h"
 
 #include <algorithm>
+#include <future>
 #include <map>
 #include <set>
 #include <utility>
@@ -341,9 +342,12 @@ class Planner {
       if (system.command.empty()) {
         request.files = SystemFilesOf(suite_, job, data_.root(), Absolute(request_.cache));
       } else {
-        Json& program = programs_[system.name];
-        if (program.is_null()) program = IdentifyProgram(system);
-        request.program = WithInput(program, system, input.sequence);
+        // Asked once for its version, also one that fails or hangs.
+        std::shared_future<Json>& program = programs_[system.name];
+        if (!program.valid()) {
+          program = std::async(std::launch::deferred, IdentifyProgram, system).share();
+        }
+        request.program = WithInput(program.get(), system, input.sequence);
         job.input = InputsKey(input.sequence, input.content, ClassesOf(SequenceOf(job)));
       }
       job.job = IdentifySystem(request);
@@ -376,7 +380,7 @@ class Planner {
   SceneFolders scenes_;
   std::map<std::string, Input> inputs_;
   std::map<std::string, Json> resolved_;
-  std::map<std::string, Json> programs_;  // of systems, identified
+  std::map<std::string, std::shared_future<Json>> programs_;  // of systems, identified
   std::vector<Preparation> wanted_;
   std::set<fs::path> wanted_outputs_;
 };

@@ -18,6 +18,7 @@
 #include "experiments/datasets/sequence.h"
 #include "experiments/runner/given.h"
 #include "experiments/suite/suite.h"
+#include "experiments/suite/system_command.h"
 #include "synth/family/family.h"
 #include "synth/write/dataset.h"
 #include "variants/registry.h"
@@ -177,6 +178,7 @@ void CheckSystems(const Suite& suite, const std::string& where) {
       ThrowError(at + ".name", Quoted(system.name) + " twice", "a unique name");
     }
     names.push_back(system.name);
+    CheckPlaceholders(system, at);
     const auto any = [&](const auto& is) {
       return std::any_of(suite.sequences.begin(), suite.sequences.end(), is);
     };

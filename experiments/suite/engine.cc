@@ -22,6 +22,7 @@
 
 #include "core/base/error.h"
 #include "core/files/atomic_file.h"
+#include "experiments/runner/run_files.h"
 
 namespace cvo {
 
@@ -155,10 +156,6 @@ std::string ProblemOf(int status) {
   return StrCat("killed by signal ", signal, name != nullptr ? StrCat(" (SIG", name, ")") : "");
 }
 
-double SecondsOf(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-}
-
 std::string Contents(int fd) {
   struct stat info {};
   ::fstat(fd, &info);
@@ -195,6 +192,7 @@ Captured Capture(const std::vector<std::string>& argv,
 Measured Measure(const std::vector<std::string>& argv, const std::filesystem::path& folder,
                  const std::filesystem::path& log) {
   const File out(OpenLog(log));
+  const double cpu_s = CpuSeconds(RUSAGE_CHILDREN);
   const Clock::time_point start = Clock::now();
   const pid_t process = Start({argv, out.fd, out.fd, 0.0, folder.string(), false});
   int status = 0;
@@ -202,8 +200,7 @@ Measured Measure(const std::vector<std::string>& argv, const std::filesystem::pa
   while (::wait4(process, &status, 0, &usage) < 0 && errno == EINTR) {
   }
   return {ProblemOf(status), std::chrono::duration<double>(Clock::now() - start).count(),
-          SecondsOf(usage.ru_utime) + SecondsOf(usage.ru_stime),
-          static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6};
+          CpuSeconds(RUSAGE_CHILDREN) - cpu_s, static_cast<double>(usage.ru_maxrss) * 1024.0 / 1e6};
 }
 
 namespace {

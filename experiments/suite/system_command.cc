@@ -6,11 +6,13 @@
 #include <chrono>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
+#include <regex>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "core/files/sha256.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/images.h"
@@ -207,6 +209,25 @@ Texts CalibrationForms() {
   Texts forms;
   for (const auto& [form, path] : kCalibrations) forms.push_back(form);
   return forms;
+}
+
+// Scripts have braces of their own: only a name in braces near to a placeholder, or that is all
+// there is, can be misspelt.
+void CheckPlaceholders(const SuiteSystem& system, const std::string& where) {
+  static const Texts kKnown = {"left",       "right", "times", "calibration",
+                               "detections", "out",   "seed",  "sequence"};
+  static const std::regex kName(R"((^|[^$])\{([A-Za-z_]+)\})");
+  Texts texts = system.command;
+  texts.insert(texts.end(), {system.camera, system.objects});
+  for (const std::string& text : texts) {
+    for (std::sregex_iterator found(text.begin(), text.end(), kName), end; found != end; ++found) {
+      const std::string name = (*found)[2];
+      if (std::find(kKnown.begin(), kKnown.end(), name) != kKnown.end()) continue;
+      const std::string hint = DidYouMean(name, kKnown);
+      if (hint.empty() && found->str() != text) continue;
+      ThrowError(where, StrCat("{", name, "}", hint), "one of: " + Joined(kKnown, ", "));
+    }
+  }
 }
 
 std::string ForJob(const std::string& text, const PlanJob& job) {

@@ -16,6 +16,9 @@ namespace cvo {
 
 std::vector<std::string> CalibrationForms();
 
+// Throws Error naming `where` for a placeholder in a system's texts that seems misspelt.
+void CheckPlaceholders(const SuiteSystem& system, const std::string& where);
+
 // Makes the files in the commands of a suite file absolute. `folder` is that of the suite file;
 // empty: it has been read before.
 void ResolveCommands(const std::filesystem::path& folder, Json& suite);

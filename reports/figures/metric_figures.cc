@@ -244,6 +244,44 @@ Figure SensitivityFigure(const SweptOption& option, const Table& table, const Pa
   return figure;
 }
 
+// The metrics over the CPU time, with a curve per option through its values.
+Figure ParetoFigure(const std::vector<SweptOption>& options, const Table& table, std::size_t cpu) {
+  std::vector<std::string> names;
+  for (const SweptOption& option : options) names.push_back(option.path);
+  const Palette palette(names);
+  Figure figure;
+  figure.name = "pareto";
+  figure.title = "Metrics over CPU time";
+  figure.caption =
+      "Each curve goes through the values of one option, the others at their defaults.";
+  figure.chart.columns = 2;
+  for (const std::size_t column : KeyColumns(table)) {
+    if (column == cpu) continue;
+    double largest = 0.0;
+    for (const Row& row : table.rows) {
+      largest = std::max(largest, row.cells[column].value.value_or(0.0));
+    }
+    const Shown shown = ShownAs(table.columns[column], largest);
+    Panel& panel = figure.chart.panels.emplace_back();
+    panel.x.title = AxisTitle(table.columns[cpu], ShownAs(table.columns[cpu], 0.0));
+    panel.y.title = AxisTitle(table.columns[column], shown);
+    panel.aspect = 0.6;
+    for (const SweptOption& option : options) {
+      for (const SweptLine& line : option.lines) {
+        Series curve{SeriesKind::kLine, option.path, palette.Points(option.path), {}};
+        for (const auto& [value, at] : line.points) {
+          const Row& row = table.rows[at];
+          if (!row.cells[cpu].value || !IsDrawn(table, row, column)) continue;
+          curve.data.push_back({*row.cells[cpu].value, shown.scale * *row.cells[column].value,
+                                StrCat(option.path, " ", NumberText(value))});
+        }
+        panel.series.push_back(std::move(curve));
+      }
+    }
+  }
+  return figure;
+}
+
 }  // namespace
 
 void AddAblation(const SuiteData& data, SuiteFigures& figures) {
@@ -292,7 +330,13 @@ void AddAblation(const SuiteData& data, SuiteFigures& figures) {
 }
 
 void AddSensitivity(const SuiteData& data, SuiteFigures& figures) {
-  for (const SweptOption& option : FindSweptOptions(data, figures.not_drawn)) {
+  const std::vector<SweptOption> options = FindSweptOptions(data, figures.not_drawn);
+  const Column* cpu = FindBy(data.table.columns, &Column::metric, kFrameCpu);
+  if (!options.empty() && cpu != nullptr) {
+    const auto at = static_cast<std::size_t>(cpu - data.table.columns.data());
+    figures.figures.push_back(ParetoFigure(options, data.table, at));
+  }
+  for (const SweptOption& option : options) {
     std::vector<std::string> names;
     for (const SweptLine& line : option.lines) names.push_back(line.label);
     figures.figures.push_back(SensitivityFigure(option, data.table, PaletteOf(data.plan, names)));

@@ -86,7 +86,7 @@ struct Track {
 
 // Paired differences from the reference of the table, as a forest plot.
 void AddAblation(const SuiteData& data, SuiteFigures& figures);
-// Metrics over the value of an option, with their coverage.
+// Metrics over the value of an option, with their coverage, and over CPU time if it is measured.
 void AddSensitivity(const SuiteData& data, SuiteFigures& figures);
 void AddErrorOverTime(const SuiteData& data, SuiteFigures& figures);
 void AddTrajectories(const SuiteData& data, SuiteFigures& figures);

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/json/json.h"
+#include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
 #include "core/files/text_file.h"
 
@@ -253,10 +254,27 @@ Table MakeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,
 }
 
 Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
-                const std::string& default_options, const std::string& compared_with) {
+                const std::string& default_options, const std::string& compared_with,
+                const std::vector<std::filesystem::path>& beside) {
   SuitePlan plan = ReadPlan(folder / "plan.json");
   if (!compared_with.empty()) plan.reference = compared_with;
-  const std::vector<SuiteRun> runs = ReadRuns(folder, plan, WithCoverage(plan.metrics));
+  if (!beside.empty()) AddOnce(std::string("variant"), plan.rows);
+  const std::vector<std::string> metrics = WithCoverage(plan.metrics);
+  std::vector<SuiteRun> runs = ReadRuns(folder, plan, metrics);
+  std::vector<std::string> names;
+  std::vector<std::string> paths;
+  for (const std::filesystem::path& other : beside) {
+    paths.push_back(
+        std::filesystem::absolute(other / "plan.json").lexically_normal().parent_path());
+    names.push_back(std::filesystem::path(paths.back()).filename());
+  }
+  names = UniqueNames(names, paths);
+  for (std::size_t i = 0; i < beside.size(); ++i) {
+    for (SuiteRun& run : ReadRuns(beside[i], ReadPlan(beside[i] / "plan.json"), metrics)) {
+      run.planned.keys["variant"] += StrCat(" (", names[i], ")");
+      runs.push_back(std::move(run));
+    }
+  }
   const std::vector<RowRuns> rows = GroupRuns(runs, plan.rows);
   const auto has_reference = [&, full = FullReference(plan)](const RowRuns& row) {
     return FindReference(rows, row, plan.rows, full) != nullptr;

@@ -52,9 +52,11 @@ void AddReferenceRows(const Reference& reference, Table& table);
 // Error for a plan that cannot be read and, naming both files, if two of our own results define the
 // same metric differently. `default_options`: nested JSON, empty if unknown. `compared_with`:
 // replaces the reference of the plan and is written as it is there; throws Error if it matches no
-// row. Empty: the reference of the plan.
+// row. Empty: the reference of the plan. `beside`: other output folders, such as copies of
+// somebody else's, whose runs are further rows, named after their folder.
 Table MakeTable(const std::filesystem::path& folder, const Reference& reference,
-                const std::string& default_options, const std::string& compared_with = "");
+                const std::string& default_options, const std::string& compared_with = "",
+                const std::vector<std::filesystem::path>& beside = {});
 
 // The table of these runs, with links relative to `folder`.
 Table MakeTable(const SuitePlan& plan, const std::vector<SuiteRun>& runs,

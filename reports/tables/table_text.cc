@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/utf8.h"
+#include "core/record/suite_runs.h"
 #include "reports/tables/table_texts.h"
 
 namespace cvo::reports {
@@ -190,7 +191,7 @@ std::string Comments(const std::vector<std::string>& lines) {
 std::vector<std::size_t> KeyColumns(const Table& table) {
   std::vector<std::size_t> key;
   for (const char* metric :
-       {"object_success_10cm", "object_ate", "object_coverage", "object_id_switches",
+       {kFrameCpu, "object_success_10cm", "object_ate", "object_coverage", "object_id_switches",
         "moving_precision", "moving_recall", "camera_ate"}) {
     const Column* column = FindBy(table.columns, &Column::metric, metric);
     if (column) key.push_back(static_cast<std::size_t>(column - table.columns.data()));
@@ -324,7 +325,8 @@ std::string TableMarkdown(const Table& table) {
 
 std::string ShortMarkdown(const Table& table) {
   const TableTexts texts = MakeTexts(table);
-  std::string text = BlockMarkdown(texts, texts.blocks[0], table.keys.size(), KeyColumns(table));
+  std::string text = texts.about.empty() ? "" : Paragraph(texts.about) + "\n\n";
+  text += BlockMarkdown(texts, texts.blocks[0], table.keys.size(), KeyColumns(table));
   Table noted = table;  // without the folder that a sequence was not found in
   std::erase_if(noted.problems, [](const Problem& problem) { return problem.state == "no data"; });
   for (const std::string& note : ShortNotes(noted, texts)) text += MarkdownEscaped(note) + "; ";

@@ -6,8 +6,6 @@
 // image, which no ORB-based stereo odometry can avoid. All systems process the sequence in turn, in
 // several rounds, so that a noisy machine disturbs them alike; the ratios are what to compare.
 // BOXES: a file of detections, or the level of a scene ("good"); without, full is what static is.
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -20,6 +18,7 @@
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "experiments/datasets/sequence.h"
+#include "experiments/runner/run_files.h"
 #include "experiments/runner/run_job.h"
 #include "variants/registry.h"
 
@@ -32,15 +31,6 @@ constexpr int kBoundFeatures = 2000;
 struct Cost {
   std::vector<double> cpu_ms, wall_ms;  // per frame, one element per round
 };
-
-double CpuSeconds() {
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 void Measure(const std::function<void()>& process, std::size_t frames, Cost& cost) {
   const double cpu_s = CpuSeconds();

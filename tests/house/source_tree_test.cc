@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -50,7 +51,8 @@ std::vector<SourceFile> FilesThat(bool (*is_wanted)(const fs::path&), std::vecto
 
 std::vector<SourceFile> Sources() {
   return FilesThat(IsSource, {kTop / "CMakeLists.txt", kTop / "Makefile", kTop / ".ci/run",
-                              kTop / ".ci/install-packages", kTop / ".ci/quote-record"});
+                              kTop / ".ci/install-packages", kTop / ".ci/quote-record",
+                              kTop / ".ci/compare-record"});
 }
 
 std::vector<SourceFile> Documents() {
@@ -122,24 +124,100 @@ TEST(ReleaseFiles, ShareOneListOfPackagesAndOneScript) {
               AllOf(HasSubstr("COPY packages.txt"), HasSubstr("RUN /setup/.ci/install-packages")));
 }
 
+const fs::path kRecord = kTop / "reports/RESULTS.md";
+
+// What reports/record.txt lists: suites with their minutes, and whether they are in the sample.
+struct Recorded {
+  std::string suite;
+  int minutes = 0;
+  bool quick = false;
+};
+std::vector<Recorded> RecordedSuites() {
+  std::vector<Recorded> suites;
+  std::istringstream lines(ReadFile(kTop / "reports/record.txt"));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('#')) continue;
+    std::istringstream words(line);
+    std::string quick;
+    Recorded& recorded = suites.emplace_back();
+    words >> recorded.suite >> recorded.minutes >> quick;
+    recorded.quick = quick == "quick";
+  }
+  return suites;
+}
+
 // Empties the quotes of every document and has them filled again.
 TEST(Documents, QuoteTheRecord) {
   const TempFolder folder;
-  const std::regex quotes(R"((\n<!-- record: \w+ -->\n)(\|[^\n]*\n)+(<!-- end of record -->\n))");
-  int quoting = 0;
+  const std::regex quotes(R"((\n<!-- record: (\w+)[^\n]* -->\n)(\|[^\n]*\n)*(<!-- end of record))");
+  std::set<std::string> quoted;
   for (const SourceFile& document : Documents()) {
-    const std::string emptied = std::regex_replace(document.content, quotes, "$1$3");
-    if (emptied == document.content) continue;
-    ++quoting;
+    const std::string& text = document.content;
+    const auto first = std::sregex_iterator(text.begin(), text.end(), quotes);
+    for (auto quote = first; quote != std::sregex_iterator(); ++quote) quoted.insert((*quote)[2]);
+    if (first == std::sregex_iterator()) continue;
     const fs::path copy = folder.path() / "document";
-    std::ofstream(copy) << emptied;
-    const std::string command = StrCat((kTop / ".ci/quote-record").string(), " ",
-                                       (kTop / "reports/RESULTS.md").string(), " ", copy.string());
+    std::ofstream(copy) << std::regex_replace(text, quotes, "$1$4");
+    const std::string command =
+        StrCat((kTop / ".ci/quote-record").string(), " ", kRecord.string(), " ", copy.string());
     ASSERT_EQ(std::system(command.c_str()), 0);
-    EXPECT_EQ(ReadFile(copy), document.content)
-        << document.path << ": make record writes its tables";
+    EXPECT_EQ(ReadFile(copy), text) << document.path << ": make record writes its tables";
   }
-  EXPECT_GT(quoting, 0);
+  std::set<std::string> recorded;
+  for (const Recorded& one : RecordedSuites()) recorded.insert(one.suite);
+  EXPECT_THAT(recorded, testing::IsSupersetOf(quoted));
+  EXPECT_THAT(quoted, testing::IsSupersetOf({"ablation", "kitti_raw", "ladder", "leave_one_out"}));
+}
+
+// Other tables have no figures, such as 0.044 or -0.006 (0.028), but those of earlier builds.
+TEST(Documents, HaveNoFiguresTypedByHand) {
+  const std::regex figures(R"((\|\s*[-+(*]*\d+\.\d+[^|]*){3,}\|)");
+  for (const SourceFile& document : Documents()) {
+    if (document.path == "HISTORY.md" || document.path == "reports/RESULTS.md") continue;
+    std::istringstream lines(document.content);
+    bool quoted = false;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with("<!-- ")) quoted = line.starts_with("<!-- record: ");
+      EXPECT_FALSE(!quoted && std::regex_search(line, figures)) << document.path << ": " << line;
+    }
+  }
+}
+
+TEST(Record, TakesThreeHoursAndItsSampleTwentyMinutes) {
+  int all = 0;
+  int sample = 0;
+  for (const Recorded& one : RecordedSuites()) {
+    EXPECT_TRUE(fs::exists(kTop / "experiments/configs" / (one.suite + ".json"))) << one.suite;
+    EXPECT_GT(one.minutes, 0) << one.suite;
+    all += one.minutes;
+    if (one.quick) sample += one.minutes;
+  }
+  EXPECT_LE(all, 180);
+  EXPECT_GT(sample, 0);
+  EXPECT_LE(sample, 20);
+}
+
+TEST(Record, TellsWhatHasMoved) {
+  const TempFolder folder;
+  const std::string head = "| sequence | variant | ATE [m] | R |\n|---|---|---:|---:|\n";
+  const std::string rows = "| a | full | 0.200\\* (0.1..0.3) | 1.0 |\n| | ORB | 0.4 | |\n";
+  folder.Write("record", "## other\n\n" + head + "\n## mine\n\nAbout.\n\n" + head + rows);
+  const auto compared = [&](const std::string& suite, const std::string& table) {
+    folder.Write("table", "About.\n\n" + head + table);
+    const std::string at = folder.path().string();
+    const std::string command =
+        StrCat((kTop / ".ci/compare-record").string(), " ", at, "/record ", suite, " ", at,
+               "/table > ", at, "/said; echo $? >> ", at, "/said");
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    return ReadFile(folder.path() / "said");
+  };
+  EXPECT_EQ(compared("mine", rows), "mine: same, 3 values\n0\n");
+  EXPECT_EQ(compared("mine", "| a | full | 0.250 (0.1..0.3) | 1.0 |\n| | ORB | 0.4 | |\n"),
+            "mine: 1 of 3 values moved, most by 20.0 % (a full, ATE [m]: "
+            "0.200\\* (0.1..0.3) -> 0.250 (0.1..0.3))\n1\n");
+  EXPECT_EQ(compared("mine", "| a | full | 0.200\\* (0.1..0.3) | 1.0 |\n| b | full | 1 | 1 |\n"),
+            "mine: 0 of 2 values moved, 2 rows are in one of the two\n1\n");
+  EXPECT_EQ(compared("none", rows), "none: not in the record\n1\n");
 }
 
 }  // namespace

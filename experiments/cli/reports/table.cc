@@ -32,20 +32,24 @@ std::string Rendered(const reports::Table& table, const TableFormat& format) {
   return format.all ? reports::TableListing(table) : reports::TableText(table);
 }
 
-// Makes and prints the table of a suite's output folder. In the terminal format, also writes
-// table.json and table.md there, unless `compared_with` names another reference row than the
-// suite's (see MakeTable). Returns 0 if all jobs that can run have run, 1 if some failed or have
-// not run yet. Throws Error if there is no plan.
-int OutputSuiteTable(const fs::path& folder, const TableFormat& format,
+// Makes and prints the table of a suite's output folder, with the rows of others. In the terminal
+// format, also writes table.json and table.md there, unless there are others or `compared_with`
+// names another reference row than the suite's (see MakeTable). Returns 0 if all jobs that can run
+// have run, 1 if some failed or have not run yet. Throws Error if there is no plan.
+int OutputSuiteTable(const std::vector<std::string>& folders, const TableFormat& format,
                      const std::string& compared_with) {
-  const reports::Table table =
-      reports::MakeTable(folder, reports::ShippedReference(), DefaultOptions(), compared_with);
-  const bool is_kept = format.format == "terminal" && compared_with.empty();
+  const fs::path folder = folders.front();
+  const std::vector<fs::path> beside(folders.begin() + 1, folders.end());
+  const reports::Table table = reports::MakeTable(folder, reports::ShippedReference(),
+                                                  DefaultOptions(), compared_with, beside);
+  const bool is_kept = format.format == "terminal" && compared_with.empty() && beside.empty();
   if (is_kept) {
     WriteFilesAtomically(folder, {{"table.md", reports::TableMarkdown(table)},
                                   {"table.json", reports::TableJson(table)}});
   }
-  OutputTable(table, format, {folder / "plan.json"});
+  std::vector<fs::path> read;
+  for (const std::string& one : folders) read.push_back(fs::path(one) / "plan.json");
+  OutputTable(table, format, read);
   if (is_kept) {
     std::cout << "written: " << (folder / "table.json").string() << " and table.md\n";
   }
@@ -53,7 +57,7 @@ int OutputSuiteTable(const fs::path& folder, const TableFormat& format,
 }
 
 struct TableFlags {
-  std::string folder;
+  std::vector<std::string> folders;
   std::string reference;
   bool times = false;
   TableFormat format;
@@ -70,8 +74,9 @@ int PrintTimes(const std::string& folder) {
 }
 
 int OutputTableOf(const TableFlags& flags) {
-  if (flags.times) return PrintTimes(flags.folder);
-  return OutputSuiteTable(flags.folder, flags.format, flags.reference);
+  if (!flags.times) return OutputSuiteTable(flags.folders, flags.format, flags.reference);
+  if (flags.folders.size() > 1) throw UsageError("--times: found several DIR, expected one");
+  return PrintTimes(flags.folders.front());
 }
 
 }  // namespace
@@ -104,10 +109,14 @@ Command AddExperimentTableCommand(CLI::App& experiment) {
       "table", "Print and write the table of a suite's results so far, with confidence intervals");
   const FlagAdder add{*app};
   const auto flags = std::make_shared<TableFlags>();
-  add("DIR", flags->folder, "", "output folder of the suite")->required();
+  add("DIR", flags->folders, "",
+      "output folder of the suite; with others, such as copies of somebody else's: their rows too, "
+      "named after their folder")
+      ->required()
+      ->expected(-1);
   add("--reference", flags->reference, "ROW",
       "row that the others are compared with, a variant or key=value; default: the "
-      "suite's; with it, DIR is not written to");
+      "suite's; with it, or with several DIR, nothing is written there");
   flags->format.AddTo(*app);
   app->add_flag("--all", flags->format.all,
                 "print every column with its intervals and differences, and all notes");

@@ -181,6 +181,45 @@ TEST_F(CliSystems, AFaultOfOneFailsOneJobWithOneLine) {
   }
 }
 
+TEST_F(CliSystems, AVersionIsAskedForOnce) {
+  Json system = System("unknown", kAtRest);
+  system["version"] = {"sh", "-c", "echo asked >> " + Path("asked") + "; exit 3"};
+  system["seeds"] = 3;
+  const ProcessResult run = RunSuite(Json::array({system}));
+  EXPECT_THAT(run.out, HasSubstr("failed: wall unknown, seed 3: sh -c"));
+  EXPECT_EQ(ReadFileBytes(Path("asked")), "asked\n");
+}
+
+// A copy of somebody else's results, without images.
+TEST_F(CliSystems, ResultsOfOthersAreCheckedAndShownBeside) {
+  ASSERT_EQ(RunSuite(Json::array({System("mine", kAtRest)})).exit_code, 0);
+  fs::copy(Path("out"), Path("theirs"), fs::copy_options::recursive);
+  fs::remove_all(Path("theirs/inputs"));
+  const auto table = [&] { return Run({"experiment", "table", Path("out"), Path("theirs")}); };
+  EXPECT_THAT(table().out, AllOf(HasSubstr("\nstatic (theirs) "), HasSubstr("\nmine (theirs) "),
+                                 HasSubstr("\n4 of 4 runs, ")));
+  EXPECT_FALSE(fs::exists(Path("out/table.json")));
+
+  const fs::path file = fs::path(Path("theirs/jobs")) / Jobs().at("static").filename();
+  const std::string result = ReadFileBytes(file / "result.json");
+  const auto with = [&](const std::string& old, const std::string& text) {
+    std::string changed = result;
+    changed.replace(changed.find(old), old.size(), text);
+    folder_.Write(file / "result.json", changed);
+    const ProcessResult run = table();
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_THAT(run.out, HasSubstr("\n3 of 4 runs, "));
+    return Run({"experiment", "table", Path("out"), Path("theirs"), "--all"}).out;
+  };
+  EXPECT_THAT(with("\"n\": 6", "\"n\": 7"), HasSubstr("do not fit its checksum"));
+  EXPECT_THAT(with("\"schema_version\": 3", "\"schema_version\": 9"), HasSubstr("schema"));
+  folder_.Write(file / "result.json", result);
+  std::string plan = ReadFileBytes(Path("theirs/plan.json"));
+  plan.replace(plan.find(file.filename().string()), 2, "..");
+  folder_.Write("theirs/plan.json", plan);
+  ExpectError(table(), "expected the name of its folder");
+}
+
 TEST_F(CliSystems, AFileOfSystemsNeedsNoSuite) {
   const auto run = [&](const std::string& text) {
     folder_.Write("mine.json", text);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/record/run_summary.h"
 #include "tests/experiments/cli/process.h"
 #include "tests/reports/results/result_files.h"
 
@@ -115,7 +116,7 @@ TEST(CliTables, EveryFormatIsPrinted) {
   SuiteResults suite;
   suite.Add(Result());
   EXPECT_THAT(Print(suite, {"--format", "markdown"}).out,
-              AllOf(StartsWith("| sequence | variant |"), Not(HasSubstr("frames")),
+              AllOf(StartsWith("what it is\n\n| sequence | variant |"), Not(HasSubstr("frames")),
                     HasSubstr("\n1 of 1 runs, 1 scene a row; "), HasSubstr("; build abc\n")));
   EXPECT_THAT(Print(suite, {"--format", "markdown", "--all"}).out, StartsWith("**small**"));
   EXPECT_THAT(Print(suite, {"--format", "csv"}).out,
@@ -123,6 +124,23 @@ TEST(CliTables, EveryFormatIsPrinted) {
   EXPECT_THAT(Print(suite, {"--format", "latex"}).out,
               AllOf(StartsWith("% small\n"), HasSubstr("\\toprule")));
   EXPECT_FALSE(fs::exists(suite.folder().path() / "table.json")) << "asked for something else";
+}
+
+TEST(CliTables, ASuiteThatMeasuresTimesHasThemFirst) {
+  SuiteResults suite;
+  suite.Add(Result());
+  reports::TimingData timing;
+  timing.cpu_s = 5.4;  // of 108 frames
+  suite.folder().Write("jobs/job0/timing.json", FileText(timing));
+  EXPECT_THAT(Print(suite, {"--format", "markdown"}).out, Not(HasSubstr("CPU per frame")));
+  const fs::path file = suite.folder().path() / "plan.json";
+  Json plan = Json::parse(test::ReadFile(file));
+  plan["definition"]["timed_threads"] = 1;
+  suite.folder().Write("plan.json", plan.dump());
+  EXPECT_THAT(
+      RunProgram({"experiment", "table", file.parent_path().string(), "--format", "markdown"}).out,
+      AllOf(HasSubstr("| CPU per frame [ms] | camera ATE [m] |"),
+            HasSubstr(" | 50.00 | 0.0625 |")));
 }
 
 TEST(CliTables, WritesATableToAFile) {

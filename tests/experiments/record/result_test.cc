@@ -220,11 +220,13 @@ TEST_F(Result, MetricsCarryTheirContract) {
 
 TEST_F(Result, TimingHasQuantilesAndContext) {
   run_.frames = frames_;
+  run_.cpu_s = 3.0;
   run_.timing = ThisProcess();
   run_.timing.job = "job";
   run_.timing.threads = 2;
   const Json json = ParseJson(TimingFile(run_), "timing");
   EXPECT_EQ(json["frames_per_second"], 2.0);
+  EXPECT_EQ(json["cpu_s"], 3.0);
   EXPECT_EQ(json["threads"], 2);
   EXPECT_EQ(json["job"], "job");
   EXPECT_GT(json["peak_memory_mb"], 1.0);

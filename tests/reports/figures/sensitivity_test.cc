@@ -78,6 +78,22 @@ TEST(Sensitivity, HasALogAxisForLogSpacedValues) {
   EXPECT_FALSE(is_log({1, 10}));
 }
 
+TEST(Sensitivity, DrawsErrorOverMeasuredCpuTime) {
+  SuiteData data = test::SweptSuite("orb.features", {1000, 2000});
+  data.table.columns.push_back(test::ColumnOf(kFrameCpu, kFrameCpu, "ms"));
+  data.table.rows[0].cells.push_back(test::CellOf(30.0, 29.0, 31.0));
+  data.table.rows[1].cells.push_back(test::CellOf(50.0, 49.0, 51.0));
+  const Figure figure = Draw(data).figures.at(0);
+  EXPECT_EQ(figure.name, "pareto");
+  ASSERT_THAT(figure.chart.panels, SizeIs(2));
+  const Panel& panel = figure.chart.panels[0];
+  EXPECT_EQ(panel.x.title, "CPU per frame (ms)");
+  EXPECT_EQ(panel.y.title, "object ATE (cm)");
+  EXPECT_THAT(XsOf(panel.series.at(0)), ElementsAre(30.0, 50.0));
+  EXPECT_THAT(YsOf(panel.series.at(0)), Pointwise(DoubleEq(), {10.0, 20.0}));
+  EXPECT_EQ(panel.series[0].data[1].tip, "orb.features 2000");
+}
+
 TEST(Sensitivity, LeavesAGapWhereARowHasNoValue) {
   SuiteData data = test::SweptSuite("a", {1, 2, 4});
   data.table.rows[1].cells[0] = {};
