@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 #include "core/base/lists.h"
 #include "core/features/orb/orb.h"
@@ -283,6 +284,16 @@ std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence) {
 }
 
 void FindInImages(const Sequence& sequence, double step_s, std::vector<std::string>& lines) {
+  constexpr double kDark = 64.0;
+  double brightest = 255.0;
+  if (!sequence.images.empty()) {
+    const cv::Mat middle = LoadFrameImage(sequence, sequence.images.size() / 2, 0).grey;
+    if (!middle.empty()) cv::minMaxLoc(middle, nullptr, &brightest);
+  }
+  if (brightest < kDark) {
+    lines.push_back(StrCat("images: the brightest pixel of the middle one is ", brightest,
+                           " of 255 (10 to 14 bits in files of 16: scale them to all 16)"));
+  }
   const std::vector<Sample> samples = SampleImages(sequence, step_s);
   FindContradictions(samples, lines);
   FindNoRotations(sequence, lines);

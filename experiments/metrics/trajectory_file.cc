@@ -19,53 +19,82 @@ namespace cvo {
 
 namespace {
 
-constexpr std::size_t kRowNumbers = 12;  // numbers of a KITTI pose
-constexpr std::size_t kPoseColumns = 8;  // of other files
+constexpr std::size_t kRowNumbers = 12;      // numbers of a KITTI pose
+constexpr std::size_t kPoseColumns = 8;      // of other files
+constexpr std::size_t kPositionColumns = 4;  // of files without quaternions
 constexpr const char* kBlanks = " \t";
-constexpr const char* kBlanksAndCommas = " \t,";
+constexpr const char* kDelimiters = " \t,;";
 
 // How the columns of a file are to be read.
 struct Columns {
   const char* separators = kBlanks;
   bool w_first = false;
+  bool positions = false;     // without quaternions
   std::size_t first_row = 0;  // index of the first line of data
-
-  bool has_commas() const { return separators == kBlanksAndCommas; }
 };
 
 bool IsComment(const TextRow& row) { return row.size() == 0 || row.Text(0).starts_with('#'); }
 
-// Whether a header names w before the other parts of the quaternion.
-bool NamesWFirst(const std::string& header) {
-  std::size_t at = 0;
-  for (int i = 0; i < 4; ++i) at = header.find(',', at) + 1;
-  const std::string name = header.substr(at, header.find(',', at) - at);
-  return name.find_first_of("wW") != std::string::npos;
+// Whether a line names the columns, with words alone.
+bool IsHeader(const TextRow& row) {
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (ParseDouble(row.Text(i))) return false;
+  }
+  return row.size() >= kPositionColumns;
 }
 
+// Whether a header names w before the other parts of the quaternion.
+bool NamesWFirst(std::string_view header, const char* separators) {
+  for (int i = 0; i < 4; ++i) header.remove_prefix(header.find_first_of(separators) + 1);
+  return header.substr(0, header.find_first_of(separators)).find_first_of("wW") !=
+         std::string_view::npos;
+}
+
+// The header of a file divided by blanks may be a comment about anything: it does not tell an
+// order.
 Columns ColumnsOf(const TextFile& file) {
   Columns columns;
   std::optional<bool> named_w_first;
   for (std::size_t i = 0; i < file.size(); ++i) {
-    const TextRow row(file, i, kBlanksAndCommas);
+    const TextRow row(file, i, kDelimiters);
+    const std::string& line = file.line(i);
     columns.first_row = i;
-    const bool has_commas =
-        std::ranges::count(file.line(i), ',') + 1 >= static_cast<std::ptrdiff_t>(kPoseColumns);
-    const bool is_header = row.size() > 0 && !ParseDouble(row.Text(0));
-    if (has_commas && is_header) named_w_first = NamesWFirst(file.line(i));
-    if (IsComment(row) || (has_commas && is_header)) continue;
-    if (has_commas) columns.separators = kBlanksAndCommas;
-    columns.w_first = has_commas && named_w_first.value_or(true);
+    const auto commas = std::ranges::count(line, ',');
+    const auto semicolons = std::ranges::count(line, ';');
+    const bool delimited =
+        std::max(commas, semicolons) + 1 >= static_cast<std::ptrdiff_t>(kPositionColumns);
+    if (delimited && IsHeader(row)) named_w_first = NamesWFirst(line, commas > 0 ? "," : ";");
+    if (!delimited && IsHeader(row) && !IsComment(row) && row.size() >= kPoseColumns) {
+      named_w_first = row.Text(4).find_first_of("wW") != std::string_view::npos;
+    }
+    if (IsComment(row) || IsHeader(row)) continue;
+    if (delimited) columns.separators = kDelimiters;
+    columns.w_first = named_w_first.value_or(delimited);
+    columns.positions = row.size() == kPositionColumns;
     return columns;
   }
   ThrowError(file.path().string(), "no pose", "a trajectory");
 }
 
-bool HasNan(const TextRow& row) {
-  for (std::size_t k = 1; k < kPoseColumns; ++k) {
-    if (row.Text(k).ends_with("nan") || row.Text(k).ends_with("NaN")) return true;
+// Programs write NaN or infinity where they have no pose.
+bool HasNoNumber(const TextRow& row) {
+  for (std::size_t k = 1; k < std::min(row.size(), kPoseColumns); ++k) {
+    const std::string_view text = row.Text(k);
+    for (const char* word : {"nan", "NaN", "NAN", "inf", "Inf", "INF"}) {
+      if (text.starts_with(word) || text.starts_with(StrCat("-", word))) return true;
+    }
   }
   return false;
+}
+
+void CheckColumns(const TextRow& row, const Columns& columns) {
+  const std::size_t expected = columns.positions ? kPositionColumns : kPoseColumns;
+  const bool delimited = columns.separators == kDelimiters;
+  if (row.size() == expected || (delimited && row.size() > expected && !columns.positions)) return;
+  if (columns.positions) row.ExpectColumns(expected, "as in the lines before");
+  row.ExpectColumns(expected,
+                    "time tx ty tz qx qy qz qw (TUM; EuRoC with commas: qw first); 4 for positions "
+                    "alone, 12 for KITTI's poses");
 }
 
 // A quaternion of zeros, which tells no rotation, gives the identity.
@@ -74,10 +103,11 @@ struct RowPose {
   bool is_zero = false;
 };
 
-RowPose ReadPose(const TextRow& row, bool w_first) {
-  const std::size_t w = w_first ? 4 : 7;
-  const std::size_t x = w_first ? 5 : 4;
+RowPose ReadPose(const TextRow& row, const Columns& columns) {
+  const std::size_t w = columns.w_first ? 4 : 7;
+  const std::size_t x = columns.w_first ? 5 : 4;
   const Eigen::Vector3d translation(row.Number(1), row.Number(2), row.Number(3));
+  if (columns.positions) return {{Eigen::Quaterniond::Identity(), translation}, true};
   const Eigen::Quaterniond q(row.Number(w), row.Number(x), row.Number(x + 1), row.Number(x + 2));
   if (q.coeffs().isZero(0.0)) return {{Eigen::Quaterniond::Identity(), translation}, true};
   constexpr double kTolerance = 0.05;
@@ -112,10 +142,8 @@ TrajectoryFile ReadTrajectory(const std::filesystem::path& path) {
   for (std::size_t i = columns.first_row; i < file.size(); ++i) {
     const TextRow row(file, i, columns.separators);
     if (IsComment(row)) continue;
-    if (!columns.has_commas() || row.size() < kPoseColumns) {
-      row.ExpectColumns(kPoseColumns, "time tx ty tz qx qy qz qw");
-    }
-    if (HasNan(row)) {
+    CheckColumns(row, columns);
+    if (HasNoNumber(row)) {
       read.left_out.push_back(i + 1);
       continue;
     }
@@ -132,7 +160,7 @@ TrajectoryFile ReadTrajectory(const std::filesystem::path& path) {
       row.Fail("time " + Quoted(row.Text(0)),
                StrCat("one after ", FormatSecondsNs(read.poses.back().timestamp_ns)));
     }
-    const auto [pose, is_zero] = ReadPose(row, columns.w_first);
+    const auto [pose, is_zero] = ReadPose(row, columns);
     read.poses.push_back({time_ns, pose});
     if (is_zero) ++zeros;
     if (zeros > 0 && zeros < read.poses.size()) {

@@ -25,15 +25,16 @@ using Trajectory = std::vector<TimedPose>;
 struct TrajectoryFile {
   Trajectory poses;
   std::vector<std::size_t> lines;     // of the poses, from 1
-  std::vector<std::size_t> left_out;  // lines with NaN
-  // False if all quaternions are zero or the same: the file tells positions alone, and the
-  // rotations of the poses mean nothing.
+  std::vector<std::size_t> left_out;  // lines with NaN or infinity
+  // False if quaternions are missing, all zero or all the same: the file tells positions alone, and
+  // the rotations of the poses mean nothing.
   bool has_rotations = true;
 };
 
-// Reads one pose per line: time, position, quaternion. Columns are divided by blanks (TUM: x y z w)
-// or commas, in the order of the header's names or, without one, that of EuRoC and VINS-Fusion (w x
-// y z); a comma at the end and further columns are ignored. Times are in s, ms, us or ns
+// Reads one pose per line: time, position, quaternion; or time and position alone. Columns are
+// divided by blanks (TUM: x y z w), commas or semicolons, in the order of the header's names or,
+// without one, with commas that of EuRoC and VINS-Fusion (w x y z); a comma at the end and further
+// columns are then ignored. Times are in s, ms, us or ns
 // (TimeUnitOf). Lines of comments start with #. Quaternions are normalised if their length is
 // within 0.05 of 1. Throws Error with file and line.
 TrajectoryFile ReadTrajectory(const std::filesystem::path& path);

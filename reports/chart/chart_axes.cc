@@ -70,7 +70,7 @@ std::vector<Tick> LinearTicks(const ValueRange& range, int most, bool integers) 
   return ticks.size() < 3 && most < 8 ? LinearTicks(range, 2 * most, integers) : ticks;
 }
 
-// Powers of ten; with 2 and 5 times them if there are few.
+// Powers of ten; with 2 and 5 times them if there are few, and if `most` would make fewer than two.
 std::vector<Tick> LogTicks(const ValueRange& range, int most) {
   const double decades = range.high - range.low;
   const double every = std::max(1.0, std::ceil(decades / most));
@@ -84,7 +84,7 @@ std::vector<Tick> LogTicks(const ValueRange& range, int most) {
       ticks.push_back({value, FormatGeneral(value, 5)});
     }
   }
-  return ticks;
+  return ticks.size() < 2 && decades < 2.0 && most < 6 ? LogTicks(range, 6) : ticks;
 }
 
 // The range of the x or y axis of each panel. Panels that share an axis have equal titles of it.
@@ -123,6 +123,15 @@ std::vector<Tick> TicksOf(const Panel& panel, bool x, const ValueRange& range, i
   const bool integers = std::ranges::none_of(
       values, [](double value) { return std::isfinite(value) && value != std::floor(value); });
   return LinearTicks(range, most, integers);
+}
+
+// Of a panel of this width, before its scales are made equal.
+double HeightOf(const Panel& panel, double width, double em) {
+  constexpr double kRow = 1.7;     // of a category on y (em)
+  constexpr double kLowest = 7.0;  // em
+  return panel.y.scale == AxisScale::kCategory
+             ? static_cast<double>(panel.y.categories.size()) * kRow * em
+             : std::max(panel.aspect * width, kLowest * em);
 }
 
 int TicksAlong(double length, double each) {
@@ -166,22 +175,26 @@ std::vector<std::string> WrapText(const std::string& text, double width, double 
   std::istringstream words(text);
   std::vector<std::string> lines;
   for (std::string word; words >> word;) {
-    if (!lines.empty() && TextWidth(lines.back() + " " + word, em) <= width) {
-      lines.back() += " " + word;
-    } else {
-      lines.push_back(word);
+    const bool whole = TextWidth(word, em) <= width;
+    for (std::size_t begin = 0, end = 0; begin < word.size(); begin = end) {
+      end = whole ? word.size() : std::min(word.find('_', begin), word.size() - 1) + 1;
+      const std::string piece = word.substr(begin, end - begin);
+      const std::string longer =
+          lines.empty() ? piece : lines.back() + (begin == 0 ? " " : "") + piece;
+      if (!lines.empty() && TextWidth(longer, em) <= width) {
+        lines.back() = longer;
+      } else {
+        lines.push_back(piece);
+      }
     }
   }
   return lines;
 }
 
 std::vector<Place> PlacePanels(const Chart& chart, std::size_t columns, double width, double em) {
-  constexpr double kRowHeight = 1.7;  // of a category on y (em)
   const std::vector<ValueRange> x_ranges = RangesOf(chart, true);
   const std::vector<ValueRange> y_ranges = RangesOf(chart, false);
   std::vector<Place> places(chart.panels.size());
-  std::vector<double> margins(columns, em);
-  const double usual = width / static_cast<double>(columns) - 5.0 * em;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Panel& panel = chart.panels[i];
     Place& place = places[i];
@@ -192,30 +205,41 @@ std::vector<Place> PlacePanels(const Chart& chart, std::size_t columns, double w
       place.labels_x = place.labels_x && chart.panels[k].x.title != panel.x.title;
     }
     place.labels_y = !chart.share_y || i % columns == 0;
-    if (!place.labels_y) continue;
-    const double height = panel.aspect * usual;
-    for (const Tick& tick : TicksOf(panel, false, y_ranges[i], TicksAlong(height, 2.4 * em))) {
-      place.widest_y = std::max(place.widest_y, TextWidth(tick.label, em));
-    }
-    const auto lines = static_cast<double>(WrapText(panel.y.title, 0.9 * height, em).size());
-    double& margin = margins[i % columns];
-    margin = std::max(margin, place.widest_y + (0.8 + kLineHeight * lines) * em);
   }
-  double all = 0.0;
-  for (const double margin : margins) all += margin + em;
+  // Margins hold the lines of titles, which are as long as the panels are high, which depends on
+  // what the margins leave.
+  std::vector<double> margins;
+  double panel_width = width / static_cast<double>(columns) - 5.0 * em;
+  for (int pass = 0; pass < 3; ++pass) {
+    margins.assign(columns, em);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Panel& panel = chart.panels[i];
+      Place& place = places[i];
+      if (!place.labels_y) continue;
+      const double height = HeightOf(panel, panel_width, em);
+      place.widest_y = 0.0;
+      for (const Tick& tick : TicksOf(panel, false, y_ranges[i], TicksAlong(height, 2.4 * em))) {
+        place.widest_y = std::max(place.widest_y, TextWidth(tick.label, em));
+      }
+      const auto lines = static_cast<double>(WrapText(panel.y.title, height, em).size());
+      double& margin = margins[i % columns];
+      margin = std::max(margin, place.widest_y + (0.8 + kLineHeight * lines) * em);
+    }
+    panel_width = width;
+    for (const double margin : margins) panel_width -= margin + em;
+    panel_width /= static_cast<double>(columns);
+  }
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Panel& panel = chart.panels[i];
     Place& place = places[i];
-    place.width = (width - all) / static_cast<double>(columns);
+    place.width = panel_width;
     place.left = margins[0];
     for (std::size_t k = 1; k <= i % columns; ++k) place.left += place.width + em + margins[k];
-    const bool categories = panel.y.scale == AxisScale::kCategory;
-    place.height = categories ? static_cast<double>(panel.y.categories.size()) * kRowHeight * em
-                              : panel.aspect * place.width;
+    place.height = HeightOf(panel, panel_width, em);
     if (panel.equal_scale) EqualiseScales(panel, place);
     place.x.ticks = TicksOf(panel, true, place.x.range, TicksAlong(place.width, 5.0 * em));
     place.y.ticks = TicksOf(panel, false, place.y.range, TicksAlong(place.height, 2.4 * em));
-    if (categories) std::swap(place.y.range.low, place.y.range.high);
+    if (panel.y.scale == AxisScale::kCategory) std::swap(place.y.range.low, place.y.range.high);
   }
   return places;
 }

@@ -54,7 +54,7 @@ inline constexpr double kLineHeight = 1.3;  // distance of lines of text (em)
 
 // Estimates of a wide sans serif font, since the fonts of the reader are not known.
 double TextWidth(const std::string& text, double em);
-// Breaks at blanks; a word wider than `width` is a line of its own.
+// Breaks at blanks, and after "_" in a word wider than `width`.
 std::vector<std::string> WrapText(const std::string& text, double width, double em);
 
 }  // namespace cvo::reports

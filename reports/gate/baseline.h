@@ -90,7 +90,8 @@ struct GateRuns {
   std::vector<SuiteRun> runs;
 };
 
-// Reads the runs with these metrics or, if there are none, with the table's and their coverage.
+// Reads the runs with these metrics or, if there are none, with the table's, the ATE of the camera
+// and the success of bodies, and their coverage.
 // Throws Error as ReadPlan does.
 GateRuns ReadGateRuns(const std::filesystem::path& folder, std::vector<std::string> metrics = {});
 

@@ -344,10 +344,12 @@ void DrawBirdsEye(const OverlayFrame& frame, const CameraInfo& camera, const Ove
 }
 
 std::string StatusText(const OverlayFrame& frame) {
+  const std::string text =
+      StrCat(frame.run, "  frame ", frame.frame, "  ", FormatFixed(frame.time_s, 2), " s  ",
+             frame.status, "  ", Counted(frame.clusters.size(), "body", "bodies"));
+  if (frame.landmarks.empty()) return text;  // suites keep none unless they are told to
   const auto wrong = std::ranges::count(frame.landmarks, true, &LabelledLandmark::wrong);
-  return StrCat(frame.run, "  frame ", frame.frame, "  ", FormatFixed(frame.time_s, 2), " s  ",
-                frame.status, "  ", Counted(frame.clusters.size(), "body", "bodies"), "  ",
-                Counted(frame.landmarks.size(), "landmark"),
+  return StrCat(text, "  ", Counted(frame.landmarks.size(), "landmark"),
                 frame.has_truth ? StrCat(", ", wrong, " wrong") : "");
 }
 

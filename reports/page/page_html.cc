@@ -71,18 +71,25 @@ std::string Summary(const PageContent& content) {
   return html + Folded("variants", "What the variants are", variants) + "</section>\n";
 }
 
+// Two numbers of a cell may be on two lines.
+std::string ShortCell(const char* begin, const std::string& text, const char* end) {
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  return StrCat(begin, Escaped(text.substr(0, slash)), slash < text.size() ? "/<wbr>" : "",
+                Escaped(text.substr(std::min(slash + 1, text.size()))), end);
+}
+
 std::string ShortTableHtml(const Table& table) {
   const ShortTable texts = MakeShortTable(table);
   std::string html =
       "<div class=\"scroll\" tabindex=\"0\"><table class=\"short\">\n<thead><tr><th></th>";
   for (const std::string& heading : texts.headings) {
-    html += Element("th", heading, " scope=\"col\" class=\"number\"");
+    html += ShortCell("<th scope=\"col\" class=\"number\">", heading, "</th>");
   }
   html += "</tr></thead>\n<tbody>\n";
   for (const auto& row : texts.rows) {
     html += "<tr>" + Element("th", row.front(), " scope=\"row\"");
     for (std::size_t i = 1; i < row.size(); ++i) {
-      html += Element("td", row[i], " class=\"number\"");
+      html += ShortCell("<td class=\"number\">", row[i], "</td>");
     }
     html += "</tr>\n";
   }
@@ -91,17 +98,21 @@ std::string ShortTableHtml(const Table& table) {
 }
 
 // Emphasises the first sentence of a title, which says what is shown, over the rest, which says how
-// it was measured.
+// it was measured. The chart is drawn twice, for desktops and for phones.
 std::string FigureHtml(const Figure& figure) {
+  constexpr double kPhoneMm = 84.0;
   const std::size_t end = std::min(figure.title.find(". "), figure.title.size() - 1) + 1;
   ChartStyle style;
   style.css = false;
+  const std::string wide = ChartSvg(figure.chart, style);
+  style.width_mm = kPhoneMm / figure.chart.width;
   return StrCat("<figure id=\"figure-", Escaped(figure.name), "\">\n<figcaption>",
                 Element("strong", figure.title.substr(0, end)), Escaped(figure.title.substr(end)),
                 end < figure.title.size() ? "." : "", " ", Escaped(figure.caption),
-                "</figcaption>\n<div class=\"scroll chart\" style=\"",
-                "--part:", FormatGeneral(figure.chart.width, 4), "\">",
-                ChartSvg(figure.chart, style), "</div>\n</figure>\n");
+                "</figcaption>\n<div class=\"scroll chart wide\" style=\"",
+                "--part:", FormatGeneral(figure.chart.width, 4), "\">", wide,
+                "</div>\n<div class=\"chart phone\">", ChartSvg(figure.chart, style),
+                "</div>\n</figure>\n");
 }
 
 std::string NameOf(const PageContent& content, const PageScene& scene) {

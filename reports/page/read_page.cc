@@ -109,7 +109,8 @@ void ChooseScenes(PageContent& content) {
 PageContent ReadPage(const PageRequest& request) {
   const fs::path plan = request.folder / "plan.json";
   if (!fs::exists(plan)) {
-    ThrowError(plan.string(), "no such file", "the folder that a suite was run to");
+    ThrowError(plan.string(), "no such file",
+               "the folder that a suite was run to (of a run: clustervo plot, clustervo overlay)");
   }
   PageContent content;
   content.title = request.folder.filename().string();

@@ -28,6 +28,22 @@ std::string Shortened(std::string text, std::size_t width) {
   return text + "~";
 }
 
+// The name of a row without its middle: options are at the begin, variants at the end.
+std::string ShortenedName(const std::string& text, std::size_t width) {
+  constexpr std::size_t kBegin = 10;
+  if (Width(text) <= width) return text;
+  const std::string begin = Shortened(text, kBegin);
+  std::string end = text;
+  const auto continues = [&] { return (static_cast<unsigned char>(end[0]) & 0xC0U) == 0x80U; };
+  while (Width(begin) + Width(end) > width || continues()) end.erase(0, 1);
+  return begin + end;
+}
+
+bool IsAbsent(const TextLine& line) {
+  return line.row != nullptr && line.row->jobs.no_data > 0 &&
+         line.row->jobs.no_data == line.row->jobs.planned;
+}
+
 // Splits a heading into two lines, as narrow as possible.
 std::array<std::string, 2> TwoLines(const std::string& text) {
   std::array<std::string, 2> best = {"", text};
@@ -145,8 +161,7 @@ std::string BlockMarkdown(const TableTexts& texts, const TextBlock& block, std::
   for (std::size_t i = 0; i < header.size(); ++i) text += i < keys ? "---|" : "---:|";
   text += "\n";
   for (const TextLine& line : block.lines) {
-    const bool absent = line.row != nullptr && line.row->jobs.no_data == line.row->jobs.planned;
-    if (!absent) text += LineMarkdown(line, keys, columns);
+    if (!IsAbsent(line)) text += LineMarkdown(line, keys, columns);
   }
   return text + "\n";
 }
@@ -234,7 +249,9 @@ ShortTable MakeShortTable(const Table& table) {
     }
   }
   std::vector<const TextLine*> lines;
-  for (const TextLine& line : texts.blocks[0].lines) lines.push_back(&line);
+  for (const TextLine& line : texts.blocks[0].lines) {
+    if (!IsAbsent(line)) lines.push_back(&line);
+  }
   if (lines.size() > kRows) {
     std::erase_if(lines, [](const TextLine* line) { return line->theirs != nullptr; });
   }
@@ -279,7 +296,7 @@ std::string TableText(const Table& table) {
     add("", [&](std::size_t i) { return headings[i].at(at) + " "; });
   }
   for (const Cells& row : texts.rows) {
-    add(Shortened(row[0], widths[0]), [&](std::size_t i) { return row[i + 1]; });
+    add(ShortenedName(row[0], widths[0]), [&](std::size_t i) { return row[i + 1]; });
   }
   if (texts.more > 0) text += StrCat("and ", texts.more, " more rows\n");
   return StrCat(text, "\n", Joined(texts.notes, "\n"),

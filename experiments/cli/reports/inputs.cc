@@ -222,11 +222,13 @@ PlotInput ReadPlotInput(const std::string& path, std::string& notes) {
       input.poses = std::move(file.poses);
       input.has_rotations = file.has_rotations;
       if (!file.left_out.empty()) {
-        notes += StrCat("note: ", path, ": ", file.left_out.size(), " rows of NaN left out\n");
+        notes += StrCat("note: ", path, ": ", file.left_out.size(),
+                        " rows of NaN or infinity left out\n");
       }
       if (!file.has_rotations) {
-        notes += StrCat("note: ", path, ": quaternions that are all zero or all the same, so no ",
-                        "errors of rotation\n");
+        notes +=
+            StrCat("note: ", path, ": quaternions that are missing, all zero or all the same, so ",
+                   "no errors of rotation\n");
       }
     } else {
       input.poses = ReadKittiTrajectory(path);

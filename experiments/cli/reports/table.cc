@@ -183,7 +183,8 @@ void AddChartStyle(CLI::App& app, reports::ChartStyle& style) {
   add("--font-pt", style.font_size_pt, "PT", "size of the font")
       ->check(Within(4.0, 40.0))
       ->capture_default_str();
-  app.add_flag("!--no-title", style.texts, "without title and caption");
+  app.add_flag_callback(
+      "--no-title", [&style] { style.texts = false; }, "without title and caption");
 }
 
 std::string FigureFile(const reports::Figure& figure, const reports::ChartStyle& style,

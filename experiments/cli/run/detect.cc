@@ -152,8 +152,7 @@ Command AddDetectCommand(CLI::App& program) {
       ->required();
   app->footer(
       "The layout of a network's output is found by its sizes and values. Where these leave it "
-      "open, "
-      "--layout\nNAME states it: yolox, yolox_decoded, yolov5, yolov8 or end2end.\n"
+      "open,\n--layout NAME states it: yolox, yolox_decoded, yolov5, yolov8 or end2end.\n"
       "COCO's classes are written as KITTI's (car: Car, person: Pedestrian). No network is "
       "included;\nexperiments/README.md says where to download one.\n"
       "Example: clustervo detect drive_0013 --model yolov3.cfg --names coco.names -o boxes.txt\n"

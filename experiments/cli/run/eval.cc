@@ -269,7 +269,7 @@ Command AddTrajectoryCommand(CLI::App& eval) {
       ->check(OneOf({"y", "z"}))
       ->capture_default_str();
   add("--time-offset", flags->time_offset_s, "SECONDS", "added to the times of estimates")
-      ->check(Within(-1e9, 1e9));
+      ->check(Within(-4e9, 4e9));
   add("--sequence", flags->sequence.folder, "FOLDER",
       "use the ground truth of this sequence instead of a file");
   app->add_flag("--json", flags->json, "print JSON, with the contract of each metric");

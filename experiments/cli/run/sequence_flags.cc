@@ -137,7 +137,8 @@ void AddStereo(CLI::App& app, StereoImport& stereo) {
     return app.add_option(flag, value, meaning)->type_name(kind)->group("Your own stereo images");
   };
   add("--left", stereo.left, "FOLDER", "images of the left camera");
-  add("--right", stereo.right, "FOLDER", "images of the right camera, the same number as --left");
+  add("--right", stereo.right, "FOLDER",
+      "images of the right camera, paired by the times or the numbers in their names");
   add("--calib", stereo.calibration, "FILE [FILE]",
       "calibration: YAML or JSON as in experiments/README.md, or as OpenCV, Kalibr, OpenVINS, ROS, "
       "ORB-SLAM or KITTI write it, in one or two files; unrectified images are rectified")

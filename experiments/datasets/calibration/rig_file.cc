@@ -166,17 +166,39 @@ RigidTransform RightFromLeft(const RectifiedCamera& left, const RectifiedCamera&
           Eigen::Vector3d(back * (right.offset_m - left.offset_m))};
 }
 
-StereoRig ReadCameraInfos(const YamlMap& left_map, const YamlMap& right_map) {
-  const auto read = [](const YamlMap& map) {
-    RectifiedCamera camera =
-        ReadRectified(map, "camera_matrix", "rectification_matrix", "projection_matrix");
-    SetNamedLens(map, "distortion_coefficients", camera.camera);
+// camera_info of ROS: as a calibration file, and as a message of ROS 1 and ROS 2 is printed.
+struct CameraInfoKeys {
+  const char* matrix;
+  const char* coefficients;
+  const char* turn;
+  const char* projection;
+  const char* width;
+  const char* height;
+};
+constexpr std::array<CameraInfoKeys, 3> kCameraInfoKeys = {
+    {{"camera_matrix", "distortion_coefficients", "rectification_matrix", "projection_matrix",
+      "image_width", "image_height"},
+     {"K", "D", "R", "P", "width", "height"},
+     {"k", "d", "r", "p", "width", "height"}}};
+
+const CameraInfoKeys* FindCameraInfo(const YamlMap& map) {
+  const auto found = std::ranges::find_if(kCameraInfoKeys, [&](const CameraInfoKeys& keys) {
+    return map.Has(keys.matrix) && map.Has(keys.projection);
+  });
+  return found == kCameraInfoKeys.end() ? nullptr : &*found;
+}
+
+StereoRig ReadCameraInfos(const YamlMap& left_map, const YamlMap& right_map,
+                          const CameraInfoKeys& keys) {
+  const auto read = [&](const YamlMap& map) {
+    RectifiedCamera camera = ReadRectified(map, keys.matrix, keys.turn, keys.projection);
+    SetNamedLens(map, keys.coefficients, camera.camera);
     return camera;
   };
   const RectifiedCamera left = read(left_map);
   const RectifiedCamera right = read(right_map);
   StereoRig rig = {left.camera, right.camera, RightFromLeft(left, right)};
-  SetSize(left_map, "image_width", "image_height", rig);
+  SetSize(left_map, keys.width, keys.height, rig);
   return rig;
 }
 
@@ -289,9 +311,9 @@ StereoRig ReadKitti(const fs::path& path) {
 StereoRig ReadAny(const fs::path& path, const fs::path& second) {
   if (second.empty() && IsKittiText(path)) return ReadKitti(path);
   YamlMap map = YamlMap::Read(path);
-  if (map.Has("camera_matrix") && map.Has("projection_matrix")) {
-    if (!second.empty()) return ReadCameraInfos(map, YamlMap::Read(second));
-    map.Fail("camera_matrix", "one camera alone", "both cameras: --calib LEFT RIGHT");
+  if (const CameraInfoKeys* keys = FindCameraInfo(map)) {
+    if (!second.empty()) return ReadCameraInfos(map, YamlMap::Read(second), *keys);
+    map.Fail(keys->matrix, "one camera alone", "both cameras: --calib LEFT RIGHT");
   }
   if (!second.empty()) map.Add(YamlMap::Read(second));
   if (map.Has("cam0")) return ReadKalibr(map, "cam0", "cam1");

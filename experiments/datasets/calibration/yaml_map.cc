@@ -26,7 +26,9 @@ YAML::Node Parse(const std::filesystem::path& path) {
   }
   if (text.starts_with("%YAML:")) text.erase(0, text.find('\n'));
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    // Programs of ROS end a message with "---".
+    if (documents.size() > 1 && documents.back().IsNull()) documents.pop_back();
     if (documents.size() == 1) return documents[0];
     ThrowError(path.string(), StrCat(documents.size(), " YAML documents"), "one");
   } catch (const YAML::Exception& error) {
@@ -47,7 +49,10 @@ bool Collect(const YAML::Node& node, std::size_t& values, std::vector<std::strin
 
 YamlMap YamlMap::Read(const std::filesystem::path& path) {
   YAML::Node root = Parse(path);
-  if (!root.IsMap()) ThrowError(path.string(), "no keys", "a calibration with keys and values");
+  if (!root.IsMap())
+    ThrowError(path.string(), "no keys",
+               "a calibration of OpenCV, Kalibr, OpenVINS, ROS, ORB-SLAM, KITTI or ours: keys and "
+               "values in YAML or JSON");
   return {path.string(), std::move(root)};
 }
 

@@ -85,7 +85,7 @@ TEST_F(Eval, AlignsSeveralEstimatesAndShiftsTheirTimes) {
   const std::string positions =
       Write("p.tum", "0 0 0 0 0 0 0 0\n1 1 1 0 0 0 0 0\n2 2 0 1 0 0 0 0\n");
   const ProcessResult result = Evaluate(positions, truth);
-  EXPECT_THAT(result.err, HasSubstr("p.tum: quaternions that are all zero"));
+  EXPECT_THAT(result.err, HasSubstr("p.tum: quaternions that are missing, all zero"));
   EXPECT_THAT(result.out, testing::Not(HasSubstr("rpe")));
   ExpectError(Evaluate(positions, truth, {"--align", "origin"}), "positions without rotations", 1);
 }

@@ -191,6 +191,12 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
   };
   for (const Case& c :
        {Case{[](Sequence&) {}, ""},
+        Case{[&](Sequence& s) {
+               const cv::Mat dark = cv::Mat(size, CV_8UC1, cv::Scalar(15));
+               s.images[3].left = folder.path() / "dark.png";
+               test::WriteImageFile(s.images[3].left, dark);
+             },
+             "is 15 of 255 (10 to 14 bits in files of 16"},
         Case{scale_truth(-1.0, 1.0), "px from where it puts them, and "},
         Case{scale_truth(2.0, 2.0), "ground truth of the camera: points move by 10."},
         Case{[](Sequence& s) { s.camera.baseline_m *= 0.2; }, "wrong baseline"},

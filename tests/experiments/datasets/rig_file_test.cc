@@ -220,6 +220,12 @@ TEST_F(RigFile, ReadsOneRigInEveryFormat) {
         "rectification_matrix:\n  data: ", turn, "projection_matrix:\n  data: [450, 0, ", "319.5, ",
         offset_px, ", 0, 450, 239.5, 0, 0, 0, 1, 0]\n");
   };
+  const auto message = [&](double offset_px, const char* names) {  // as a program of ROS prints it
+    const auto key = [&](int i) { return std::string(1, names[i]); };
+    return StrCat("header:\n  stamp: 5\nheight: 480\nwidth: 640\ndistortion_model: plumb_bob\n",
+                  key(0), ": [0, 0, 0, 0, 0]\n", key(1), ": ", k, key(2), ": ", turn, key(3),
+                  ": [450, 0, 319.5, ", offset_px, ", 0, 450, 239.5, 0, 0, 0, 1, 0]\n---\n");
+  };
   const auto orb = [](const std::string& name, const std::string& more) {
     return StrCat(name, ".fx: 450.0\n", name, ".fy: 450.0\n", name, ".cx: 319.5\n", name,
                   ".cy: 239.5\n", more);
@@ -237,6 +243,8 @@ TEST_F(RigFile, ReadsOneRigInEveryFormat) {
            Case{matrices("0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0") + pose},
            Case{"%YAML:1.0\n---\n" + matrices("0, 0, 0, 0, 0"), "%YAML:1.0\n---\n" + pose},
            Case{ros(0.0), ros(-54.0)},
+           Case{message(0.0, "DKRP"), message(-54.0, "DKRP")},
+           Case{message(0.0, "dkrp"), message(-54.0, "dkrp")},
            Case{orb("Camera", "Camera.bf: 54.0\nCamera.k1: 0.0\n")},
            Case{orb("Camera1", orb("Camera2",
                                    "Stereo.T_c1_c2: !!opencv-matrix\n  rows: 4\n  data: [1, 0, 0, "

@@ -93,11 +93,13 @@ TEST_F(TumTrajectory, RefusesWrongColumns) {
   EXPECT_THAT(ReadError("# c\n1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0\n"),
               AllOf(HasSubstr("trajectory.txt:3: found 7 columns"), HasSubstr("expected 8")));
   EXPECT_THAT(ReadError("1 0 0 0 0 0 0 1 9\n"), HasSubstr(":1: found 9 columns"));
+  EXPECT_THAT(ReadError("0 1 0 0 4 0 1 0 5 0 0 1 6\n"), HasSubstr("12 for KITTI's poses"));
+  EXPECT_THAT(ReadError("1 2 3 4\n2 2 3 4 0 0 0 1\n"), HasSubstr(":2: found 8 columns"));
   EXPECT_THAT(ReadError("1 0 0 0 0 0 0 1\n2 0 0"), HasSubstr("last line without a line end"));
 }
 
 TEST_F(TumTrajectory, RefusesInvalidNumbers) {
-  EXPECT_THAT(ReadError("1 0 0 -inf 0 0 0 1\n"), HasSubstr("\"-inf\" in column 4"));
+  EXPECT_THAT(ReadError("1 0 0 1e999 0 0 0 1\n"), HasSubstr("\"1e999\" in column 4"));
   EXPECT_THAT(ReadError("1 0 0 1,5 0 0 0 1\n"), HasSubstr("\"1,5\" in column 4"));
   EXPECT_THAT(ReadError("noon 0 0 0 0 0 0 1\n"),
               AllOf(HasSubstr("\"noon\" in column 1"), HasSubstr("a time")));
@@ -126,6 +128,10 @@ TEST_F(TumTrajectory, ReadsOtherSpellingsOfThePoses) {
         "1403636579500000000.0 1 2 3 0 0.6 0 0.8\n1403636579600000000.0 4 5 6 0 0 0 1\n",
         "timestamp,tx,ty,tz,qx,qy,qz,qw\n1403636579.5,1,2,3,0,0.6,0,0.8\n1403636579.6,4,5,6,0,0,0,"
         "1\n",
+        "\xEF\xBB\xBFtime tx ty tz qx qy qz qw\n1403636579.5 1 2 3 0 0.6 0 0.8\n1403636579.6 4 5 6 "
+        "0 0 0 1\n",
+        "t x y z qw qx qy qz\n1403636579.5 1 2 3 0.8 0 0.6 0\n1403636579.6 4 5 6 1 0 0 0\n",
+        "t;x;y;z;qx;qy;qz;qw\n1403636579.5;1;2;3;0;0.6;0;0.8\n1403636579.6;4;5;6;0;0;0;1\n",
         "#time [ns], p_x [m], p_y [m], p_z [m], q_w [], q_x [], q_y [], q_z [], v_x [m s^-1]\n"
         "1403636579500000000,1,2,3,0.8,0,0.6,0,9\n1403636579600000000,4,5,6,1,0,0,0,9\n",
         "1403636579500000000,1,2,3,0.8,0,0.6,0,\n1403636579600000000,4,5,6,1,0,0,0,\n"}) {
@@ -139,16 +145,17 @@ TEST_F(TumTrajectory, ReadsOtherSpellingsOfThePoses) {
 }
 
 TEST_F(TumTrajectory, LeavesOutRowsOfNan) {
-  const auto path =
-      folder_.Write("nan.txt", "1 0 0 0 0 0 0 1\n2 nan nan nan 0 0 0 1\n3 1 0 0 0 0 0.6 0.8\n");
+  const auto path = folder_.Write("nan.txt",
+                                  "1 0 0 0 0 0 0 1\n2 nan nan nan 0 0 0 1\n3 1 0 0 0 0 0.6 0.8\n"
+                                  "4 -nan 0 0 0 0 0 1\n5 0 0 -inf 0 0 0 1\n");
   const TrajectoryFile file = ReadTrajectory(path);
-  EXPECT_THAT(file.left_out, testing::ElementsAre(2));
+  EXPECT_THAT(file.left_out, testing::ElementsAre(2, 4, 5));
   EXPECT_THAT(file.lines, testing::ElementsAre(1, 3));
   EXPECT_TRUE(file.has_rotations);
 }
 
 TEST_F(TumTrajectory, PositionsAloneTellNoRotations) {
-  for (const char* q : {"0 0 0 0", "0 0 0 1", "0 0.6 0 0.8"}) {
+  for (const char* q : {"", "0 0 0 0", "0 0 0 1", "0 0.6 0 0.8"}) {
     std::string text;
     for (const char* row : {"1 0 0 0 ", "2 1 0 0 ", "3 2 1 0 "})
       text += std::string(row) + q + "\n";

@@ -111,6 +111,24 @@ TEST(Chart, HasLogarithmicAxesWithoutValuesThatHaveNoLogarithm) {
   EXPECT_THAT(ChartSvg(OnePanel(panel)), Not(HasSubstr("nan")));
 }
 
+TEST(Chart, LowPanelsHaveTwoTicksAndWholeTitles) {
+  Panel panel = LinePanel({{0, 3}, {1, 60}});
+  panel.title = "a_variant_with_a_name_that_is_longer_than_a_panel";
+  panel.y = {"within 10 cm (%)", AxisScale::kLog};
+  panel.aspect = 0.01;
+  Chart chart = OnePanel(panel);
+  chart.panels.push_back(panel);
+  chart.columns = 2;
+  ChartStyle style;
+  style.width_mm = 84.0;
+  const std::string svg = ChartSvg(chart, style);
+  EXPECT_THAT(TextsOf(svg), testing::IsSupersetOf({"within 10 cm", "(%)", "5", "10", "50"}));
+  EXPECT_THAT(TextsOf(svg), Not(testing::Contains(panel.title)));
+  std::smatch at;
+  ASSERT_TRUE(std::regex_search(svg, at, std::regex("x=\"([-0-9.]+)\"[^>]*>within 10 cm<")));
+  EXPECT_GT(std::stod(at[1]), 7.0) << "the line is not cut";
+}
+
 TEST(Chart, EscapesTextsAndWritesValuesAsTooltips) {
   Panel panel = LinePanel({{0, 0, "<b>1 & 2"}});
   panel.title = "</text><script>";

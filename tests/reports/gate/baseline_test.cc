@@ -72,6 +72,9 @@ TEST(Baseline, AGateThatWouldMissADoublingIsRefused) {
     });
   });
   EXPECT_GT(tolerance(), 1.3 * of_two);
+  alike.EditPlan([](Json& plan) { plan["table"]["metrics"] = {"camera_coverage"}; });
+  EXPECT_EQ(NoticedBy(MakeBaseline(alike.path())).at(1).metric, "camera_ate")
+      << "whatever the table shows";
   EXPECT_THAT(NoticedText(MakeBaseline(GateFolder().path())), HasSubstr("camera_ate       "));
 }
 

@@ -264,6 +264,8 @@ TEST(StatusText, CountsWhatIsDrawn) {
   EXPECT_EQ(StatusText(frame), "full, seed 1  frame 12  0.40 s  tracked  1 body  2 landmarks");
   frame.has_truth = true;
   EXPECT_THAT(StatusText(frame), testing::EndsWith("2 landmarks, 1 wrong"));
+  frame.landmarks.clear();
+  EXPECT_THAT(StatusText(frame), testing::EndsWith("1 body")) << "none were written";
 }
 
 TEST(ClusterColor, IsFixedPerIdAndDistinctBetweenIds) {
