@@ -111,7 +111,7 @@ void CompareDepths(const std::vector<Eigen::Vector3d>& points, const std::vector
 // Finds boxes that do not stand out from what surrounds them, or would if they were turned.
 void FindMisfits(const Sequence& sequence, const std::vector<SeenFrame>& frames, const char* what,
                  const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines) {
-  constexpr std::size_t kFewest = 16;
+  constexpr std::size_t kFewest = 12;
   constexpr double kMost = 0.25;       // part that is farther
   constexpr double kMostTurned = 0.1;  // and of boxes that another orientation explains
   constexpr double kExplained = 0.5;   // part of that part that may remain

@@ -97,6 +97,10 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
         Case{scale_boxes(0.78), "detections: all 20 boxes lie in the upper left quarter"},
         Case{[](Sequence& s) { s.detections[3].frame = s.detections[5].frame = 4; },
              "detections: 2 of 20 boxes repeat another one"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.detections) box.left_px += std::exchange(box.frame, 4);
+             },
+             "detections: all 20 boxes are of frame 4"},
         Case{spoil_label([](ObjectBox& box) { box.occlusion = 7; }),
              "labels, frame 3: occlusion 7, where -1 to 3 are defined"},
         Case{spoil_label([](ObjectBox& box) { box.truncation = 50.0; }), "truncation 50"},
