@@ -163,6 +163,17 @@ void FindDoubled(const char* what, const std::vector<ObjectBox>& boxes,
   lines.push_back(StrCat(what, ": ", doubled, " of ", boxes.size(), " boxes repeat another one"));
 }
 
+// Finds boxes of a single frame, as of a file whose frames were lost.
+void FindOneFrame(const Sequence& sequence, const char* what, const std::vector<ObjectBox>& boxes,
+                  std::vector<std::string>& lines) {
+  constexpr std::size_t kFewest = 10;  // boxes and frames
+  if (std::min(boxes.size(), sequence.images.size()) < kFewest) return;
+  const int frame = boxes[0].frame;
+  const auto other = [frame](const ObjectBox& box) { return box.frame != frame; };
+  if (std::ranges::any_of(boxes, other)) return;
+  lines.push_back(StrCat(what, ": all ", boxes.size(), " boxes are of frame ", frame));
+}
+
 // Finds values beyond what KITTI defines, and boxes in 3D that are elsewhere than those in the
 // image.
 void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<ObjectBox>& boxes,
@@ -288,6 +299,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
     FindHalfSize(sequence, what, *boxes, lines);
     FindUnusable(what, *boxes, lines);
     FindDoubled(what, *boxes, lines);
+    FindOneFrame(sequence, what, *boxes, lines);
     FindOddBoxes(sequence, what, *boxes, lines);
     FindOneBased(sequence, what, *boxes, lines);
   }

@@ -35,6 +35,18 @@ void RefuseImpossible(const Sequence& sequence);
 // rendered scenes, whose files are known). Empty if nothing is.
 std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0);
 
+// What the images of a frame show: corners of the left one, and with their disparities (third)
+// those that the right one shows too (px).
+struct SeenFrame {
+  int frame = 0;
+  std::vector<Eigen::Vector2d> corners;
+  std::vector<Eigen::Vector3d> points;
+};
+
+// Adds what tells that boxes are elsewhere than the bodies in the images.
+void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frames, const char* what,
+                   const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines);
+
 // Adds what the images of a few frames contradict: each other, the calibration, the ground truth or
 // the boxes.
 void FindInImages(const Sequence& sequence, double step_s, std::vector<std::string>& lines);

@@ -85,8 +85,10 @@ std::optional<PairCheck> CheckPair(const Corners& left,
 
 // What the images of a frame and a later one tell: medians over corners.
 struct Sample {
-  int frame = 0;
+  SeenFrame seen;
   Corners left;
+  bool dark = false;  // the left image has no corner
+  bool both = false;  // both images have many corners
   std::optional<PairCheck> pair;
   double depth_m = 0.0;
   double flow_px = 0.0;      // of the left image
@@ -139,8 +141,10 @@ constexpr double kLeastFlow_px = 3.0;  // less tells nothing
 // Of a few frames over the sequence, each compared with the one a tenth of a second later, or half
 // a second where the camera moves slowly.
 std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
-  constexpr std::size_t kSamples = 6;
+  constexpr std::size_t kSamples = 10;
   constexpr int kCorners = 1000;
+  constexpr std::size_t kMany = 200;  // corners
+  constexpr double kMostRows_px = 2.0;
   const std::size_t frames = sequence.images.size();
   const auto frames_in = [&](double time_s) {
     return static_cast<std::size_t>(std::max(1.0, std::round(time_s / step_s)));
@@ -152,11 +156,20 @@ std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
     const std::size_t i = k * last / (kSamples - 1);
     if (k > 0 && i == (k - 1) * last / (kSamples - 1)) continue;
     Sample sample;
-    sample.frame = sequence.first_frame + static_cast<int>(i);
+    sample.seen.frame = sequence.first_frame + static_cast<int>(i);
     sample.left = CornersOf(sequence, i, 0, kCorners);
     const Corners right = CornersOf(sequence, i, 1, kCorners);
     const std::vector<const OrbKeypoint*> partners = MatchAnywhere(sample.left, right);
+    sample.dark = sample.left.empty() && !LoadFrameImage(sequence, i, 0).grey.empty();
+    sample.both = std::min(sample.left.size(), right.size()) >= kMany;
     sample.pair = CheckPair(sample.left, partners);
+    for (std::size_t c = 0; c < partners.size(); ++c) {
+      sample.seen.corners.push_back(PixelOf(sample.left[c]));
+      if (partners[c] == nullptr) continue;
+      const Eigen::Vector2d apart_px = PixelOf(sample.left[c]) - PixelOf(*partners[c]);
+      if (std::abs(apart_px.y()) > kMostRows_px) continue;
+      sample.seen.points.emplace_back(sample.left[c].u_px, sample.left[c].v_px, apart_px.x());
+    }
     if (sample.pair && sample.pair->disparity_px > 0.0) {
       sample.depth_m = sequence.camera.fx * sequence.camera.baseline_m / sample.pair->disparity_px;
     }
@@ -193,38 +206,12 @@ void FindNoRotations(const Sequence& sequence, std::vector<std::string>& lines) 
   lines.push_back("ground truth of the camera: it moves, but all its rotations are the same");
 }
 
-// Finds boxes beside what the images show: large ones of the sampled frames without any corner.
-void FindEmptyBoxes(const std::vector<Sample>& samples, const char* what,
-                    const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines) {
-  constexpr double kLargeEnough_px = 30.0;
-  constexpr std::size_t kFewest = 4;
-  constexpr double kMost = 0.3;  // part of the boxes
-  std::size_t large = 0;
-  std::size_t empty = 0;
-  for (const ObjectBox& box : boxes) {
-    const auto sample = std::ranges::find(samples, box.frame, &Sample::frame);
-    if (sample == samples.end() || sample->left.empty() || box.type == "DontCare" ||
-        !box.IsInImage() ||
-        std::min(box.right_px - box.left_px, box.bottom_px - box.top_px) < kLargeEnough_px) {
-      continue;
-    }
-    ++large;
-    empty += std::ranges::none_of(sample->left, [&](const OrbKeypoint& corner) {
-      return corner.u_px >= box.left_px && corner.u_px <= box.right_px &&
-             corner.v_px >= box.top_px && corner.v_px <= box.bottom_px;
-    });
-  }
-  if (large < kFewest || static_cast<double>(empty) <= kMost * static_cast<double>(large)) return;
-  lines.push_back(StrCat(what, ": ", empty, " of ", large,
-                         " boxes looked at show no corner (pixels of another image?)"));
-}
-
 // Finds contradictions between images, calibration and ground truth, in the median of the samples.
 void FindContradictions(const std::vector<Sample>& samples, std::vector<std::string>& lines) {
   constexpr double kMostRows_px = 1.0;
   constexpr double kNearest_m = 0.1;
   constexpr double kFarthest_m = 150.0;
-  constexpr double kMostError = 0.25;  // part of the flow
+  constexpr double kMostError = 0.35;  // part of the flow
   constexpr double kLeastMirrored_px = 0.4;
   constexpr double kMostMirrored = 0.6;  // part of the error
   std::vector<double> rows_px, depths_m, flows_px, errors, errors_px, mirrored_px;
@@ -243,12 +230,21 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
     return sample.still && sample.flow_px >= kLeastFlow_px;
   });
   if (still != samples.end()) {
-    lines.push_back(StrCat("ground truth of the camera, frame ", still->frame,
+    lines.push_back(StrCat("ground truth of the camera, frame ", still->seen.frame,
                            ": it stands still while points move by ",
                            FormatFixed(still->flow_px, 1), " px in the images"));
   }
-  const auto most = [&](std::size_t count) { return 2 * count > samples.size(); };
-  if (most(problems.size())) {
+  const auto most = [&](auto count) {
+    return 2 * static_cast<std::size_t>(count) > samples.size();
+  };
+  const auto apart = std::ranges::count_if(
+      samples, [](const Sample& sample) { return sample.both && !sample.pair; });
+  const auto dark = std::ranges::count_if(samples, &Sample::dark);
+  if (most(dark)) {
+    lines.push_back(StrCat("images: ", dark, " of ", samples.size(), " looked at show no corner"));
+  } else if (most(apart)) {
+    lines.push_back("stereo pair: the left and right images show nothing in common");
+  } else if (most(problems.size())) {
     lines.push_back("stereo pair: " + problems[0]);
   } else if (most(rows_px.size()) && Median(rows_px) > kMostRows_px) {
     lines.push_back(StrCat("stereo pair: points lie ", FormatFixed(Median(rows_px), 1),
@@ -294,11 +290,13 @@ void FindInImages(const Sequence& sequence, double step_s, std::vector<std::stri
     lines.push_back(StrCat("images: the brightest pixel of the middle one is ", brightest,
                            " of 255 (10 to 14 bits in files of 16: scale them to all 16)"));
   }
-  const std::vector<Sample> samples = SampleImages(sequence, step_s);
+  std::vector<Sample> samples = SampleImages(sequence, step_s);
   FindContradictions(samples, lines);
   FindNoRotations(sequence, lines);
-  FindEmptyBoxes(samples, "detections", sequence.detections, lines);
-  FindEmptyBoxes(samples, "labels", sequence.labels, lines);
+  std::vector<SeenFrame> frames;
+  for (Sample& sample : samples) frames.push_back(std::move(sample.seen));
+  FindMisplaced(sequence, frames, "detections", sequence.detections, lines);
+  FindMisplaced(sequence, frames, "labels", sequence.labels, lines);
 }
 
 }  // namespace cvo

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synth/write/render_cache.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -52,6 +53,21 @@ fs::path CreateTemporary(const fs::path& target) {
 
 void Rename(const fs::path& from, const fs::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) ThrowErrno(to, "write", errno);
+}
+
+// Swaps two folders: at once, so that no other process misses one, where the file system can.
+void Exchange(const fs::path& one, const fs::path& other) {
+  if (::renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) == 0) return;
+  if (errno != EINVAL) ThrowErrno(other, "write", errno);
+  const fs::path aside = CreateTemporary(other);
+  Rename(other, aside);  // replaces the empty folder `aside`
+  try {
+    Rename(one, other);
+  } catch (...) {
+    ::rename(aside.c_str(), other.c_str());
+    throw;
+  }
+  Rename(aside, one);
 }
 
 std::optional<fs::path> FolderFrom(const char* variable) {
@@ -155,22 +171,12 @@ void FolderBuild::Commit(Manifest manifest, Existing existing) {
             [](const FileRecord& a, const FileRecord& b) { return a.name < b.name; });
   manifest.files = files_;
   WriteFileBytes(temporary_ / kManifestName, FormatManifest(manifest));
-  std::error_code ignored;
-  if (fs::exists(target_, ignored)) {
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    if (errno != ENOTEMPTY && errno != EEXIST) ThrowErrno(target_, "write", errno);
     if (existing == Existing::kKeep) return;
-    const fs::path aside = CreateTemporary(target_);
-    Rename(target_, aside);  // replaces the empty folder `aside`
-    try {
-      Rename(temporary_, target_);
-    } catch (...) {
-      ::rename(aside.c_str(), target_.c_str());
-      throw;
-    }
-    fs::remove_all(aside, ignored);
-  } else if (::rename(temporary_.c_str(), target_.c_str()) != 0) {
-    const bool lost_a_race = errno == ENOTEMPTY || errno == EEXIST;
-    if (existing == Existing::kKeep && lost_a_race) return;
-    ThrowErrno(target_, "write", errno);
+    Exchange(temporary_, target_);
+    std::error_code ignored;
+    fs::remove_all(temporary_, ignored);
   }
   temporary_.clear();
 }

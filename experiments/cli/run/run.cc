@@ -285,6 +285,7 @@ int Run(Flags flags) {
   read.emplace_back(flags.config);
   const OutputFolder output = OpenOutput(flags.output, RunFileNames(), read);
   const FolderLock lock(output.path() / "lock");
+  RemoveTemporaries(output.path());  // of killed runs
 
   RequireAsRendered(sequence);
   const std::optional<RunResult> run = [&] {

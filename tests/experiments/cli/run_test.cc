@@ -127,8 +127,10 @@ TEST_F(CliRun, OwnsItsFolder) {
     ExpectError(Run(out(), {"-q"}), StrCat(": found in use by process ", ::getpid(), " on "), 1);
     EXPECT_FALSE(fs::exists(out() / "result.json"));
   }
+  folder_.Write("out/.camera.tum.tmp-0123456789abcdef", "of a killed run");
   EXPECT_EQ(Run(out(), {"-q"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(out() / "lock"));
+  EXPECT_FALSE(fs::exists(out() / ".camera.tum.tmp-0123456789abcdef"));
 }
 
 // If frames are lost, the trajectory of predictions is still written, but the run fails and names

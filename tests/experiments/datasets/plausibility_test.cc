@@ -6,9 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "core/base/rng.h"
+#include "core/files/images/image_file.h"
 #include "experiments/datasets/sequence.h"
 #include "tests/support/error_message.h"
 #include "tests/support/image_file.h"
@@ -94,6 +97,10 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
         Case{scale_boxes(0.78), "detections: all 20 boxes lie in the upper left quarter"},
         Case{[](Sequence& s) { s.detections[3].frame = s.detections[5].frame = 4; },
              "detections: 2 of 20 boxes repeat another one"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.detections) box.left_px += std::exchange(box.frame, 4);
+             },
+             "detections: all 20 boxes are of frame 4"},
         Case{spoil_label([](ObjectBox& box) { box.occlusion = 7; }),
              "labels, frame 3: occlusion 7, where -1 to 3 are defined"},
         Case{spoil_label([](ObjectBox& box) { box.truncation = 50.0; }), "truncation 50"},
@@ -209,6 +216,16 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
                for (StereoPaths& paths : s.images) paths.right = paths.left;
              },
              "left and right images are the same"},
+        Case{[](Sequence& s) {  // what the left images leave out
+               for (std::size_t i = 0; i < s.images.size(); ++i) {
+                 cv::Mat image;
+                 cv::flip(ReadImageFile(s.images[i].left, cv::IMREAD_GRAYSCALE), image, 1);
+                 const auto path = s.folder / StrCat("other", i, ".png");
+                 test::WriteImageFile(path, image);
+                 s.images[i].right = path;
+               }
+             },
+             "the left and right images show nothing in common"},
         Case{[](Sequence& s) {
                for (std::size_t i = 1; i < s.images.size(); ++i) {
                  s.images[i - 1].right = s.images[i].right;
@@ -225,6 +242,51 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
     FindInImages(sequence, 0.1, lines);
     ASSERT_EQ(lines.size(), c.message.empty() ? 0U : 1U)
         << c.message << testing::PrintToString(lines);
+    if (!lines.empty()) {
+      EXPECT_THAT(lines[0], HasSubstr(c.message));
+    }
+  }
+}
+
+// A floor that is nearer the lower it is seen, and a body that stands on it on the left.
+TEST(Plausibility, ComparesBoxesWithDepths) {
+  Sequence good;
+  good.camera.width_px = 320;
+  good.camera.height_px = 240;
+  std::vector<SeenFrame> frames(10);
+  for (int i = 0; i < 10; ++i) {
+    ObjectBox box;
+    box.type = "Car";
+    box.frame = frames[static_cast<std::size_t>(i)].frame = i;
+    box.left_px = 40.0, box.right_px = 90.0, box.top_px = 130.0, box.bottom_px = 180.0;
+    good.detections.push_back(box);
+    for (double v = 5.0; v < 240.0; v += 10.0) {
+      for (double u = 5.0; u < 320.0; u += 10.0) {
+        const bool body = u > 40.0 && u < 90.0 && v > 130.0 && v < 180.0;
+        const double disparity_px = body ? 20.0 : 0.1 * v;
+        frames[static_cast<std::size_t>(i)].points.emplace_back(u, v, disparity_px);
+        frames[static_cast<std::size_t>(i)].corners.emplace_back(u, v);
+      }
+    }
+  }
+  struct Case {
+    std::function<void(ObjectBox&)> spoil;
+    std::string message;
+  };
+  const auto turn = [](double& low, double& high, double size) {
+    low = size - std::exchange(high, size - low);
+  };
+  for (const Case& c :
+       {Case{[](ObjectBox&) {}, ""},
+        Case{[&](ObjectBox& b) { turn(b.left_px, b.right_px, 320.0); }, "if they were mirrored"},
+        Case{[&](ObjectBox& b) { turn(b.top_px, b.bottom_px, 240.0); }, "if they were upside down"},
+        Case{[](ObjectBox& b) { b.left_px += 30.0, b.right_px += 90.0; },
+             "in 50 % of 20 comparisons"}}) {
+    Sequence sequence = good;
+    for (ObjectBox& box : sequence.detections) c.spoil(box);
+    std::vector<std::string> lines;
+    FindMisplaced(sequence, frames, "detections", sequence.detections, lines);
+    ASSERT_EQ(lines.size(), c.message.empty() ? 0U : 1U) << c.message;
     if (!lines.empty()) {
       EXPECT_THAT(lines[0], HasSubstr(c.message));
     }
