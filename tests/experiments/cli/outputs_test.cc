@@ -72,7 +72,7 @@ class CliOutputs : public testing::Test {
     folder_->Write("two.names", "person\ncar\n");
     folder_->Write("suite.json",
                    "{\"name\": \"small\", \"sequences\": [{\"folder\": \"wall\"}], \"variants\": "
-                   "[\"static\"], \"seeds\": 2, \"table\": {\"rows\": [\"variant\"], "
+                   "[\"static\"], \"seeds\": 3, \"table\": {\"rows\": [\"variant\"], "
                    "\"metrics\": [\"camera_trpe_1_frame\"], \"reference\": \"static\"}}");
     const Arguments suite = {"experiment", "run", Path("suite.json"), "-o", Path("suite"), "-q"};
     const Arguments table = {"experiment", "table", Path("suite")};

@@ -182,7 +182,7 @@ TEST_F(ImportStereoTest, PairsImagesByTheTimesInTheirNames) {
   const Sequence sequence = OpenSequence({.folder = out()});
   EXPECT_EQ(sequence.timestamps_ns[2], 1403636579850000000);
   EXPECT_THAT(FindImplausible(sequence),
-              testing::ElementsAre(testing::HasSubstr("left out: 1 left, 1 right")));
+              testing::Contains(testing::HasSubstr("left out: 1 left, 1 right")));
   EXPECT_EQ(ReadJson(out() / "import.json").at("right_images")[2], "1403636579.850037.png");
   fs::remove_all(out());
   write(request_.right, {"1403636579.724", "1403636579.774", "1403636579.874", "1403636579.924"});
@@ -212,12 +212,12 @@ TEST_F(ImportStereoTest, InfersTheUnitOfTimes) {
     Import();
     const Sequence sequence = OpenSequence({.folder = out()});
     EXPECT_EQ(sequence.timestamps_ns[2] - sequence.timestamps_ns[1], 50'000'000) << c.times;
-    const std::vector<std::string> notes = FindImplausible(sequence);
-    EXPECT_EQ(notes.size(), *c.unit == 'm' || *c.unit == 'u' ? 1U : 0U) << c.times;
-    if (!notes.empty()) {
-      EXPECT_THAT(notes[0],
-                  testing::HasSubstr(StrCat("taken for ", c.unit, ", which makes 20 Hz")));
-    }
+    const bool is_told = *c.unit == 'm' || *c.unit == 'u';
+    EXPECT_THAT(
+        FindImplausible(sequence),
+        testing::Contains(testing::HasSubstr(StrCat("taken for ", c.unit, ", which makes 20 Hz")))
+            .Times(is_told ? 1 : 0))
+        << c.times;
   }
 }
 
