@@ -141,7 +141,7 @@ SystemFiles SystemFilesOf(const Suite& suite, const PlanJob& job, const fs::path
                           const fs::path& cache) {
   const SuiteSystem& system = *SystemOf(suite, job);
   if (system.shipped()) {
-    return ShippedSystemFiles(system.name, suite.sequences[job.entry], cache);
+    return ShippedSystemFiles(system.name, suite.sequences[job.entry], job.folder, cache);
   }
   const auto below = [&](const std::string& file) {
     return file.empty() ? fs::path() : data / ForJob(file, job);

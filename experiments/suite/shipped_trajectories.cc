@@ -4,41 +4,38 @@
 #include <filesystem>
 
 #include "core/base/error.h"
-#include "core/base/lists.h"
 #include "core/files/atomic_file.h"
 #include "core/files/sha256.h"
 #include "core/files/text_file.h"
 #include "experiments/suite/suite.h"
-#include "synth/scene/description.h"
+#include "synth/family/family.h"
 
 namespace cvo {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kHashLine = "# scene_sha256 ";
-
 const ShippedTrajectory* Find(const std::string& system, const SuiteSequence& sequence) {
-  const std::string scene = fs::path(sequence.scene).stem().string();
+  const std::string& name = sequence.scene;
+  const std::string scene = synth::IsFamilyScene(name) ? name : fs::path(name).stem().string();
   for (const ShippedTrajectory& trajectory : ShippedTrajectories()) {
     if (trajectory.system == system && trajectory.scene == scene) return &trajectory;
   }
   return nullptr;
 }
 
-std::string SceneText(const std::string& scene) {
-  const std::vector<synth::ShippedScene> shipped = synth::ShippedScenes();
-  const synth::ShippedScene* found = FindBy(shipped, &synth::ShippedScene::name, scene);
-  return found != nullptr ? found->text : ReadFileBytes(scene);
-}
-
-// Returns why the trajectory was made from other images than the sequence has; empty if it was not.
-std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence& sequence) {
-  if (!sequence.frames.empty()) return "ran on all frames, not " + sequence.frames;
+// Returns why the trajectory was made from other images than the job has; empty if it was not.
+std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence& sequence,
+                       const fs::path& rendered) {
+  const std::string frames = sequence.frames.empty() ? "all" : sequence.frames;
+  if (frames != trajectory.frames) {
+    return StrCat("ran on frames ", trajectory.frames, ", not ", frames);
+  }
   if (!sequence.perturb.empty()) return "ran on images without the perturbation";
-  const std::string_view hash = trajectory.text.substr(kHashLine.size(), kHashBytes);
-  if (Sha256Hex(SceneText(sequence.scene)) == hash) return "";
-  return StrCat("ran on the scene file of SHA-256 ", hash.substr(0, 8), ", which has changed");
+  const std::string hash = Sha256Hex(ReadFileBytes(rendered / "scene.json"));
+  if (hash == trajectory.scene_hash) return "";
+  return StrCat("ran on a scene.json of SHA-256 ", trajectory.scene_hash.substr(0, 8), ", not ",
+                hash.substr(0, 8), ": the scene has changed, or the seed is not 1");
 }
 
 }  // namespace
@@ -48,9 +45,9 @@ bool IsShipped(const std::string& system, const SuiteSequence& sequence) {
 }
 
 SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
-                               const fs::path& cache) {
+                               const fs::path& rendered, const fs::path& cache) {
   const ShippedTrajectory& trajectory = *Find(system, sequence);
-  const std::string difference = Difference(trajectory, sequence);
+  const std::string difference = Difference(trajectory, sequence, rendered);
   if (!difference.empty()) {
     throw Error(StrCat(kStale, system, " on ", sequence.name, " ", difference));
   }

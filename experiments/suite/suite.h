@@ -201,11 +201,13 @@ std::string DetectorLevel(const SuiteSequence& sequence);
 // Returns the classes of detections to use: the sequence's own, or RigidClasses() if it has none.
 std::vector<std::string> ClassesOf(const SuiteSequence& sequence);
 
-// Another system's trajectory on a shipped scene, from a file of reports/reference/trajectories.
+// Another system's trajectory on a scene, a block of a file of reports/reference/trajectories.
 struct ShippedTrajectory {
   std::string_view system;
-  std::string_view scene;
-  std::string_view text;  // TUM poses after a line with the hash of the scene file
+  std::string_view scene;       // a shipped scene, or of a family: "room@1040,rate_hz=10"
+  std::string_view frames;      // as SuiteSequence::frames, or "all"
+  std::string_view scene_hash;  // of the rendered scene.json, which has the seed of the noise
+  std::string_view text;        // TUM poses
 };
 const std::vector<ShippedTrajectory>& ShippedTrajectories();
 
@@ -216,9 +218,10 @@ bool IsShipped(const std::string& system, const SuiteSequence& sequence);
 inline constexpr std::string_view kStale = "stale: ";
 
 // Writes a shipped trajectory of the sequence (IsShipped) below the cache folder and returns the
-// file. Throws Error, with kStale, if the scene file has changed since the trajectory was made, or
-// if the sequence uses other frames or perturbed images.
+// file. Throws Error, with kStale, if the trajectory was made from another scene or seed than that
+// in the folder `rendered`, or if the sequence uses other frames or perturbed images.
 SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
+                               const std::filesystem::path& rendered,
                                const std::filesystem::path& cache);
 
 // Returns the files of a job of another system that has no command, below `data`. Trajectories

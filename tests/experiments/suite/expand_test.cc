@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "core/files/json/json.h"
 #include "experiments/metrics/trajectory.h"
 #include "experiments/suite/job_status.h"
 #include "experiments/suite/suite.h"
@@ -17,6 +20,7 @@ namespace {
 
 using test::Parse;
 using test::SmallSuite;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -142,54 +146,55 @@ TEST(Suite, JobsOfTheFirstSeedKeepLandmarksIfRequested) {
   for (const PlanJob& job : ExpandSuite(suite)) EXPECT_EQ(job.landmarks, job.seed == 7);
 }
 
-// A suite on a shipped scene, or on a file of the same name, with the trajectory that is shipped
-// for it.
-Suite SuiteWithPeers(const std::string& scene) {
-  Json json = SmallSuite();
-  json["sequences"] = Json::array({{{"scene", scene}}});
-  json["variants"] = Json::array();
-  json["systems"] = Json::array({{{"name", "ORB-SLAM2"}}});
-  return Parse(json);
+// The plan of a suite on one scene with a system's shipped trajectory; `folder` gets the scene.json
+// that rendering would write.
+Plan PlanOfShipped(std::string_view system, std::string_view scene, std::string_view frames,
+                   const test::TempFolder& folder, int seed = 1) {
+  Json description = synth::LoadScene(std::string(scene), {}).json();
+  description["seed"] = seed;
+  folder.Write("scene.json", DumpJson(description));
+  Plan plan;
+  SuiteSequence& sequence = plan.suite.sequences.emplace_back();
+  sequence.scene = sequence.name = scene;
+  if (frames != "all") sequence.frames = frames;
+  plan.suite.systems.emplace_back().name = system;
+  plan.suite.seeds = {1};
+  plan.jobs = ExpandSuite(plan.suite);
+  plan.jobs.at(0).folder = folder.path().string();
+  return plan;
 }
 
 // When a scene is edited, its trajectories must be removed or computed again.
-TEST(ShippedTrajectories, AreFilesOfTheUnchangedScenes) {
+TEST(ShippedTrajectories, AreOfTheUnchangedScenes) {
   const test::TempFolder folder;
-  const Suite suite = SuiteWithPeers("indoor_1");
-  const SystemFiles files = SystemFilesOf(suite, ExpandSuite(suite).at(0), "", folder.path());
-  EXPECT_EQ(files.name, "ORB-SLAM2");
-  EXPECT_EQ(ReadTrajectory(files.camera).poses.size(), 250u);
+  std::set<std::string> systems;
   for (const ShippedTrajectory& shipped : ShippedTrajectories()) {
-    SuiteSequence sequence;
-    sequence.scene = sequence.name = shipped.scene;
-    const auto all = ShippedSystemFiles(std::string(shipped.system), sequence, folder.path());
-    EXPECT_EQ(static_cast<int>(ReadTrajectory(all.camera).poses.size()),
-              synth::LoadScene(sequence.scene, {}).parts().frames)
-        << shipped.scene;
+    const Plan plan = PlanOfShipped(shipped.system, shipped.scene, shipped.frames, folder);
+    const SystemFiles files = SystemFilesOf(plan.suite, plan.jobs[0], "", folder.path());
+    systems.insert(files.name);
+    const int all = synth::LoadScene(std::string(shipped.scene), {}).parts().frames;
+    const std::string& frames = plan.suite.sequences[0].frames;
+    EXPECT_EQ(static_cast<int>(ReadTrajectory(files.camera).poses.size()),
+              frames.empty() ? all : ResolveFrameRange(ParseFrameRange(frames), all).end)
+        << shipped.system << " on " << shipped.scene;
   }
+  EXPECT_THAT(systems, ElementsAre("ORB-SLAM2", "libviso2"));
 }
 
 TEST(ShippedTrajectories, OfOtherImagesAreStaleAndNoFailedJobs) {
   const test::TempFolder folder;
-  const auto message = [&](const Suite& suite) {
-    return ErrorMessage([&] { SystemFilesOf(suite, ExpandSuite(suite).at(0), "", folder.path()); });
+  const auto message = [&](const Plan& plan) {
+    return ErrorMessage([&] { SystemFilesOf(plan.suite, plan.jobs[0], "", folder.path()); });
   };
-  for (const synth::ShippedScene& shipped : synth::ShippedScenes()) {
-    if (shipped.name == "indoor_1") folder.Write("indoor_1.json", shipped.text + "\n");
-  }
-  EXPECT_THAT(message(SuiteWithPeers((folder.path() / "indoor_1.json").string())),
-              StartsWith("stale: ORB-SLAM2 on indoor_1 ran on the scene file"));
-  Plan plan;
-  plan.suite = SuiteWithPeers("indoor_1");
-  SuiteSequence& sequence = plan.suite.sequences[0];
-  sequence.frames = "0:5";
-  EXPECT_THAT(message(plan.suite), HasSubstr("all frames, not 0:5"));
-  sequence.frames = "";
-  sequence.perturb = {{"blur_px", 1}};
-  PlanJob& job = plan.jobs.emplace_back();
-  job.folder = "/rendered";
-  job.missing = message(plan.suite);
-  EXPECT_THAT(job.missing, StartsWith(kStale));
+  EXPECT_THAT(message(PlanOfShipped("ORB-SLAM2", "indoor_1", "all", folder, 2)),
+              AllOf(StartsWith("stale: ORB-SLAM2 on indoor_1 ran on a scene.json of SHA-256 82b2"),
+                    HasSubstr("the seed is not 1")));
+  EXPECT_THAT(message(PlanOfShipped("ORB-SLAM2", "indoor_1", "0:5", folder)),
+              HasSubstr("frames all, not 0:5"));
+  Plan plan = PlanOfShipped("ORB-SLAM2", "indoor_1", "all", folder);
+  plan.suite.sequences[0].perturb = {{"blur_px", 1}};
+  plan.jobs[0].missing = message(plan);
+  EXPECT_THAT(plan.jobs[0].missing, StartsWith(kStale));
   EXPECT_EQ(StatusOfAll({"/none"}, plan).at(0).state, JobStatus::State::kNoSequence);
 }
 

@@ -276,8 +276,8 @@ TEST(ShippedSuites, ReportOnTheTestSplitAndGateOnDevelopmentScenes) {
     const bool reports = shipped.name == "ablation" || shipped.name == "ablation_large" ||
                          shipped.name == "ablation_street" || shipped.name == "ladder" ||
                          shipped.name == "leave_one_out" || shipped.name == "self_calibration" ||
-                         shipped.name == "families" || shipped.name.starts_with("world_") ||
-                         shipped.name.starts_with("camera_");
+                         shipped.name == "families" || shipped.name == "peers" ||
+                         shipped.name.starts_with("world_") || shipped.name.starts_with("camera_");
     const bool recorded = shipped.name.find("kitti") != std::string::npos ||
                           shipped.name == "multimotion" || shipped.name == "clusterslam" ||
                           shipped.name == "detector_real" || shipped.name == "pareto";
