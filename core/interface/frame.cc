@@ -42,10 +42,6 @@ const char* ToString(ClusterStatus status) {
   throw Error("ToString(ClusterStatus): not a status");
 }
 
-Matrix6d CalibrationReport::Covariance_px2() const {
-  // Of each coefficient; measured on rendered streets and highways of the development seeds.
-  constexpr double kCommonDeviation_px = 0.02;
-  return information.inverse() + kCommonDeviation_px * kCommonDeviation_px * Matrix6d::Identity();
-}
+Matrix6d CalibrationReport::Covariance_px2() const { return information.inverse(); }
 
 }  // namespace cvo

@@ -62,6 +62,19 @@ double ApplySolution(double gate, const WindowProblem& problem, const std::vecto
   return count > 0 ? std::sqrt(sum / count) : 0.0;
 }
 
+// How often a disparity is measured with the error of the same landmark: the mean over observations
+// of the number of observations of their landmark.
+double MeanRepeats(const std::vector<Landmark>& landmarks, const std::vector<int>& used) {
+  double observations = 0.0;
+  double squares = 0.0;
+  for (const int i : used) {
+    const double count = static_cast<double>(landmarks[i].observations.size());
+    observations += count;
+    squares += count * count;
+  }
+  return squares / observations;
+}
+
 }  // namespace
 
 void OptimizeWindow(const Options& options, const EnergySteps& steps, const RowField& rows,
@@ -85,7 +98,8 @@ void OptimizeWindow(const Options& options, const EnergySteps& steps, const RowF
     const SolverSummary summary = steps.solve_window(noise, options.solver, problem);
     report.window_iterations = summary.iterations;
     report.window_endings.Count(summary.ending);
-    report.calibration.information = summary.shared_information;
+    report.calibration.information =
+        summary.shared_information / MeanRepeats(window.landmarks, landmarks);
     report.mean_error_px = ApplySolution(steps.gate(noise), problem, landmarks, window);
   }
   report.calibration.right_field_px = window.camera.right_field_px;
