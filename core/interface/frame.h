@@ -115,9 +115,9 @@ struct LandmarkReport {
   double second_motion = 0.0;
 };
 
-// Current estimate of the stereo calibration: StereoCamera::right_field_px and the information on it
-// in 1/px^2, for landmarks instead of disparities that err independently (METHOD.md 7.6); zero if
-// it was not estimated.
+// Current estimate of the stereo calibration: StereoCamera::right_field_px and the information on
+// it in 1/px^2, for landmarks instead of disparities that err independently (METHOD.md 7.6); zero
+// if it was not estimated.
 struct CalibrationReport {
   Vector6d right_field_px = Vector6d::Zero();
   Matrix6d information = Matrix6d::Zero();
