@@ -100,23 +100,25 @@ void FindHalfSize(const Sequence& sequence, const char* what, const std::vector<
 // Finds boxes without extent, the name of a class or the shape that it has.
 void FindUnusable(const char* what, const std::vector<ObjectBox>& boxes,
                   std::vector<std::string>& lines) {
-  constexpr double kMost = 0.05;
-  constexpr double kMostOdd = 0.5;  // truncated and occluded ones have any shape
-  constexpr double kThinnest_px = 1.0;
-  std::size_t thin = 0, nameless = 0, odd = 0;
+  constexpr double kThinnest_px = 1.0, kMost = 0.05;
+  constexpr double kMostOdd = 0.7;  // truncated and occluded ones have any shape
+  std::size_t thin = 0, nameless = 0, shaped = 0, odd = 0;
   for (const ObjectBox& box : boxes) {
     const Eigen::Vector2d size_px(box.right_px - box.left_px, box.bottom_px - box.top_px);
     thin += !box.box3d && size_px.minCoeff() < kThinnest_px;
-    odd += (box.type == "Car" || box.type == "car") && size_px.y() > 1.2 * size_px.x();
-    odd += (box.type == "Pedestrian" || box.type == "person") && size_px.x() > size_px.y();
+    const bool car = box.type == "Car" || box.type == "car";
+    const bool person = box.type == "Pedestrian" || box.type == "person";
+    shaped += car || person;
+    odd += (car && size_px.y() > size_px.x()) || (person && size_px.x() > size_px.y());
     nameless +=
         std::ranges::none_of(box.type, [](unsigned char c) { return std::isalpha(c) != 0; });
   }
-  for (const auto& [count, most, lack] : {std::tuple{thin, kMost, "extent"},
-                                          {nameless, kMost, "a class name"},
-                                          {odd, kMostOdd, "the shape of a car or a person"}}) {
-    if (static_cast<double>(count) <= most * static_cast<double>(boxes.size())) continue;
-    lines.push_back(StrCat(what, ": ", count, " of ", boxes.size(), " boxes are without ", lack));
+  for (const auto& [count, most, of, lack] :
+       {std::tuple{thin, kMost, boxes.size(), "extent"},
+        {nameless, kMost, boxes.size(), "a class name"},
+        {odd, kMostOdd, shaped, "the shape of a car or a person"}}) {
+    if (static_cast<double>(count) <= most * static_cast<double>(of)) continue;
+    lines.push_back(StrCat(what, ": ", count, " of ", of, " boxes are without ", lack));
   }
 }
 

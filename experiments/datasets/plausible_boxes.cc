@@ -109,8 +109,8 @@ Box Moved(const Box& box, const Move& move, const StereoCamera& camera) {
 // By a sign test over frames, because the boxes of a frame depend on each other.
 void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frames, const char* what,
                    const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines) {
-  constexpr std::size_t kFewest = 12, kFewestFrames = 6;         // boxes, frames
-  constexpr double kLeast = 0.55, kBetter = 0.1, kSigmas = 2.0;  // 0.5 is chance
+  constexpr std::size_t kFewest = 12, kFewestFrames = 6;          // boxes, frames
+  constexpr double kLeast = 0.55, kBetter = 0.06, kSigmas = 2.0;  // 0.5 is chance
   std::vector<double> all;
   std::vector<std::vector<double>> given;
   for (const SeenFrame& seen : frames) {
