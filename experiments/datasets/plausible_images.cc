@@ -132,7 +132,7 @@ std::optional<PairCheck> CheckPair(const Corners& left,
 // What the images of a frame and a later one tell: medians over corners.
 struct Sample {
   SeenFrame seen;
-  bool dark = false;  // the left image is damaged, nearly black or has no corner
+  bool dark = false;  // the left image is nearly black or has no corner
   bool rich = false;  // it has many corners
   std::optional<PairCheck> pair;
   double depth_m = 0.0;
@@ -189,7 +189,7 @@ std::vector<Sample> SampleImages(const Sequence& sequence, double step_s, SeenIm
     const SeenImage& left = See(sequence, i, 0, images);
     const SeenImage& right = See(sequence, i, 1, images);
     const std::vector<const OrbKeypoint*> partners = MatchAnywhere(*left.corners, *right.corners);
-    sample.dark = left.corners->empty() || left.brightest < kDark;
+    sample.dark = !left.small.empty() && (left.corners->empty() || left.brightest < kDark);
     sample.rich = left.corners->size() >= kMany;
     sample.pair = CheckPair(*left.corners, partners);
     if (boxes) {
@@ -295,10 +295,9 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
       samples, [](const Sample& sample) { return sample.rich && !sample.pair; });
   const auto dark = std::ranges::count_if(samples, &Sample::dark);
   if (most(dark)) {
-    lines.push_back(
-        StrCat("images: ", dark, " of ", samples.size(),
-               " looked at are damaged, nearly black or show no corner (10 to 14 bits in files "
-               "of 16: scale them to all 16)"));
+    lines.push_back(StrCat("images: ", dark, " of ", samples.size(),
+                           " looked at are nearly black or show no corner (10 to 14 bits in files "
+                           "of 16: scale them to all 16)"));
   } else if (most(apart)) {
     lines.push_back("stereo pair: the left and right images show nothing in common");
   } else if (most(problems.size())) {
