@@ -106,7 +106,7 @@ void FindUnusable(const char* what, const std::vector<ObjectBox>& boxes,
   for (const ObjectBox& box : boxes) {
     const Eigen::Vector2d size_px(box.right_px - box.left_px, box.bottom_px - box.top_px);
     thin += !box.box3d && size_px.minCoeff() < kThinnest_px;
-    const bool car = box.type == "Car" || box.type == "car";
+    const bool car = box.IsInImage() && (box.type == "Car" || box.type == "car");
     const bool person = box.type == "Pedestrian" || box.type == "person";
     shaped += car || person;
     odd += (car && size_px.y() > size_px.x()) || (person && size_px.x() > size_px.y());
