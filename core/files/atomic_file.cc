@@ -145,7 +145,11 @@ void RemoveLeftovers(const fs::path& folder) {
   RemoveWhere(folder, [](const fs::path& path) { return IsTemporary(path) && IsOld(path); });
 }
 
-void RemoveTemporaries(const fs::path& folder) { RemoveWhere(folder, IsTemporary); }
+void RemoveTemporaries(const fs::path& folder, const std::string& target) {
+  RemoveWhere(folder, [begin = "." + target](const fs::path& path) {
+    return IsTemporary(path) && path.filename().string().starts_with(begin);
+  });
+}
 
 std::string HostName() {
   std::array<char, 256> name{};

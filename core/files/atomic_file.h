@@ -57,8 +57,8 @@ bool IsTemporary(const std::filesystem::path& file);
 // throws.
 void RemoveLeftovers(const std::filesystem::path& folder);
 
-// Removes all temporaries in a folder. Only for a caller with exclusive write access to the folder.
-void RemoveTemporaries(const std::filesystem::path& folder);
+// Removes all temporaries in a folder, or those of one target. Only for their only writer.
+void RemoveTemporaries(const std::filesystem::path& folder, const std::string& target = "");
 
 // Name of this machine; "unknown" if it cannot be determined.
 std::string HostName();

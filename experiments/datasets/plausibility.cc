@@ -23,13 +23,22 @@ void Tell(const std::vector<std::string>& found, std::vector<std::string>& lines
   lines.push_back(found[0] + (others > 0 ? StrCat(", and ", others, " more like it") : ""));
 }
 
-// Finds a baseline that is most likely in another unit than metres.
-void FindBaseline(double baseline_m, std::vector<std::string>& lines) {
-  constexpr double kShortest_m = 0.01;
-  constexpr double kLongest_m = 3.0;
-  if (baseline_m == 0.0 || (baseline_m >= kShortest_m && baseline_m <= kLongest_m)) return;
-  lines.push_back(StrCat("calibration: a baseline of ", baseline_m, " m, where ", kShortest_m,
-                         " to ", kLongest_m, " m are usual"));
+// Finds a baseline that is most likely in another unit than metres, and a centre far from the
+// middle of the image or pixels far from square, as of numbers in another order.
+void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines) {
+  constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.3;
+  const Eigen::Array3d off(camera.cx / camera.width_px - 0.5, camera.cy / camera.height_px - 0.5,
+                           camera.fx / camera.fy - 1.0);
+  if (camera.width_px > 0 && off.abs().maxCoeff() > kMostOff) {
+    lines.push_back(StrCat("calibration: fx ", camera.fx, ", fy ", camera.fy, ", cx ", camera.cx,
+                           ", cy ", camera.cy, " px of a ", camera.width_px, "x", camera.height_px,
+                           " image"));
+  }
+  if (camera.baseline_m == 0.0 ||
+      (camera.baseline_m >= kShortest_m && camera.baseline_m <= kLongest_m))
+    return;
+  lines.push_back(StrCat("calibration: a baseline of ", camera.baseline_m, " m, where ",
+                         kShortest_m, " to ", kLongest_m, " m are usual"));
 }
 
 std::vector<double> StepsOf(const Sequence& sequence) {
@@ -50,12 +59,12 @@ void FindSlowRate(const std::vector<double>& steps_s, std::vector<std::string>& 
 // Finds boxes in pixels of a larger image, such as one of twice the size.
 void FindBoxesBeyond(const Sequence& sequence, const char* what,
                      const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines) {
-  constexpr double kMargin_px = 8.0;
-  constexpr double kMost = 0.1;  // part of the boxes
+  constexpr double kMargin = 0.25;  // of a box; detectors guess what the image cuts off
+  constexpr double kMost = 0.1;     // part of the boxes
   const StereoCamera& camera = sequence.camera;
   const auto beyond = std::ranges::count_if(boxes, [&](const ObjectBox& box) {
-    return box.right_px > camera.width_px + kMargin_px ||
-           box.bottom_px > camera.height_px + kMargin_px;
+    return box.right_px > camera.width_px + kMargin * (box.right_px - box.left_px) ||
+           box.bottom_px > camera.height_px + kMargin * (box.bottom_px - box.top_px);
   });
   if (static_cast<double>(beyond) <= kMost * static_cast<double>(boxes.size())) return;
   lines.push_back(StrCat(what, ": ", beyond, " of ", boxes.size(),
@@ -88,23 +97,28 @@ void FindHalfSize(const Sequence& sequence, const char* what, const std::vector<
                          "the image (of an image of half the size?)"));
 }
 
-// Finds boxes without extent or without the name of a class.
+// Finds boxes without extent, the name of a class or the shape that it has.
 void FindUnusable(const char* what, const std::vector<ObjectBox>& boxes,
                   std::vector<std::string>& lines) {
-  constexpr double kMost = 0.05;
-  constexpr double kThinnest_px = 1.0;
-  std::size_t thin = 0;
-  std::size_t nameless = 0;
+  constexpr double kThinnest_px = 1.0, kMost = 0.05;
+  constexpr double kMostOdd = 0.7;  // truncated and occluded ones have any shape
+  std::size_t thin = 0, nameless = 0, shaped = 0, odd = 0;
   for (const ObjectBox& box : boxes) {
-    const double side_px = std::min(box.right_px - box.left_px, box.bottom_px - box.top_px);
-    thin += !box.box3d && side_px < kThinnest_px;
+    const Eigen::Vector2d size_px(box.right_px - box.left_px, box.bottom_px - box.top_px);
+    thin += !box.box3d && size_px.minCoeff() < kThinnest_px;
+    const bool car = box.IsInImage() && (box.type == "Car" || box.type == "car");
+    const bool person = box.type == "Pedestrian" || box.type == "person";
+    shaped += car || person;
+    odd += (car && size_px.y() > size_px.x()) || (person && size_px.x() > size_px.y());
     nameless +=
         std::ranges::none_of(box.type, [](unsigned char c) { return std::isalpha(c) != 0; });
   }
-  for (const auto& [count, lack] :
-       {std::pair{thin, "extent"}, std::pair{nameless, "a class name"}}) {
-    if (static_cast<double>(count) <= kMost * static_cast<double>(boxes.size())) continue;
-    lines.push_back(StrCat(what, ": ", count, " of ", boxes.size(), " boxes are without ", lack));
+  for (const auto& [count, most, of, lack] :
+       {std::tuple{thin, kMost, boxes.size(), "extent"},
+        {nameless, kMost, boxes.size(), "a class name"},
+        {odd, kMostOdd, shaped, "the shape of a car or a person"}}) {
+    if (static_cast<double>(count) <= most * static_cast<double>(of)) continue;
+    lines.push_back(StrCat(what, ": ", count, " of ", of, " boxes are without ", lack));
   }
 }
 
@@ -292,7 +306,7 @@ void RefuseImpossible(const Sequence& sequence) {
 std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated) {
   constexpr double kMostRepeated = 0.05;
   std::vector<std::string> lines = sequence.notes;
-  FindBaseline(sequence.camera.baseline_m, lines);
+  FindCalibration(sequence.camera, lines);
   for (const auto& [what, boxes] :
        {std::pair{"detections", &sequence.detections}, std::pair{"labels", &sequence.labels}}) {
     FindBoxesBeyond(sequence, what, *boxes, lines);

@@ -35,11 +35,9 @@ void RefuseImpossible(const Sequence& sequence);
 // rendered scenes, whose files are known). Empty if nothing is.
 std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0);
 
-// What the images of a frame show: corners of the left one, and with their disparities (third)
-// those that the right one shows too (px).
+// What the images of a frame show: pixels of the left one with their disparities (third, px).
 struct SeenFrame {
   int frame = 0;
-  std::vector<Eigen::Vector2d> corners;
   std::vector<Eigen::Vector3d> points;
 };
 

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/base/lists.h"
 #include "core/features/orb/orb.h"
@@ -17,9 +20,52 @@ namespace {
 
 using Corners = std::vector<OrbKeypoint>;
 
-Corners CornersOf(const Sequence& sequence, std::size_t index, int side, int count) {
+// What is kept of an image: its corners, if asked for, and a smaller copy; empty if it cannot be
+// decoded.
+struct SeenImage {
+  std::optional<Corners> corners;
+  cv::Mat small;
+  double brightest = 0.0;
+};
+using SeenImages = std::map<std::pair<std::size_t, int>, SeenImage>;
+
+// Decodes an image once if corners are asked for first.
+const SeenImage& See(const Sequence& sequence, std::size_t index, int side, SeenImages& images,
+                     bool corners = true) {
+  SeenImage& seen = images[{index, side}];
+  if (seen.corners || (!corners && !seen.small.empty())) return seen;
   const cv::Mat grey = LoadFrameImage(sequence, index, side).grey;
-  return grey.empty() ? Corners() : ExtractOrb(grey, {.features = count}).keypoints;
+  if (corners) seen.corners.emplace();
+  if (grey.empty()) return seen;
+  if (corners) seen.corners = ExtractOrb(grey, {.features = 1000}).keypoints;
+  const double scale = std::min(0.5, 640.0 / grey.cols);
+  cv::resize(grey, seen.small, cv::Size(), scale, scale, cv::INTER_AREA);
+  cv::minMaxLoc(grey, nullptr, &seen.brightest);
+  return seen;
+}
+
+// Pixels of the left image with their disparities in the third coordinate.
+std::vector<Eigen::Vector3d> DisparitiesOf(const cv::Mat& left, const cv::Mat& right,
+                                           double scale) {
+  constexpr int kMost_px = 64, kWindow_px = 11, kStep_px = 3;
+  std::vector<Eigen::Vector3d> points;
+  if (left.empty() || left.size() != right.size() || left.rows <= kMost_px) return points;
+  cv::Mat left_wide, right_wide, disparities;  // so that some are found up to the left end
+  cv::copyMakeBorder(left, left_wide, 0, 0, kMost_px, 0, cv::BORDER_REPLICATE);
+  cv::copyMakeBorder(right, right_wide, 0, 0, kMost_px, 0, cv::BORDER_REPLICATE);
+  const auto matcher = cv::StereoBM::create(kMost_px, kWindow_px);
+  matcher->setUniquenessRatio(15);
+  matcher->setDisp12MaxDiff(1);
+  matcher->setSpeckleWindowSize(50);
+  matcher->setSpeckleRange(32);
+  matcher->compute(left_wide, right_wide, disparities);
+  for (int v = 1; v < left.rows; v += kStep_px) {
+    for (int u = 1; u < left.cols; u += kStep_px) {
+      const int sixteenths = disparities.at<std::int16_t>(v, u + kMost_px);
+      if (sixteenths >= 0) points.push_back(Eigen::Vector3d(u, v, sixteenths / 16.0) / scale);
+    }
+  }
+  return points;
 }
 
 // Returns the corner that looks most like this one; nullptr if none is similar enough or another is
@@ -86,25 +132,14 @@ std::optional<PairCheck> CheckPair(const Corners& left,
 // What the images of a frame and a later one tell: medians over corners.
 struct Sample {
   SeenFrame seen;
-  Corners left;
-  bool dark = false;  // the left image has no corner
-  bool both = false;  // both images have many corners
+  bool dark = false;  // the left image is nearly black or has no corner
+  bool rich = false;  // it has many corners
   std::optional<PairCheck> pair;
   double depth_m = 0.0;
-  double flow_px = 0.0;      // of the left image
-  double error_px = 0.0;     // of what depths and ground truth predict for the later frame
-  double mirrored_px = 0.0;  // the same of the ground truth mirrored along x or y
-  bool still = false;        // the ground truth has the same pose for both
+  double flow_px = 0.0;   // of the left image
+  double error_px = 0.0;  // of what depths and ground truth predict for the later frame
+  bool still = false;     // the ground truth has the same pose for both
 };
-
-// The same motion in a frame whose axis points the other way.
-RigidTransform Mirrored(const RigidTransform& motion, int axis) {
-  Eigen::Vector3d turn = -LogSo3(motion.rotation());
-  Eigen::Vector3d step = motion.translation();
-  turn[axis] *= -1.0;
-  step[axis] *= -1.0;
-  return RigidTransform(ExpSo3(turn), step);
-}
 
 // Compares the corners of a frame, triangulated, with where the ground truth puts them later.
 void Predict(const StereoCamera& camera, const RigidTransform& later_from_camera,
@@ -112,9 +147,7 @@ void Predict(const StereoCamera& camera, const RigidTransform& later_from_camera
              const std::vector<const OrbKeypoint*>& later, Sample& sample) {
   constexpr double kLeastDisparity_px = 1.0;
   std::vector<double> flows_px;
-  std::array<std::vector<double>, 3> errors_px;  // as it is, and mirrored along x and y
-  const std::array<RigidTransform, 3> motions = {later_from_camera, Mirrored(later_from_camera, 0),
-                                                 Mirrored(later_from_camera, 1)};
+  std::vector<double> errors_px;
   for (std::size_t i = 0; i < left.size(); ++i) {
     if (right[i] == nullptr || later[i] == nullptr) continue;
     const double disparity_px = left[i].u_px - right[i]->u_px + camera.right_shift_px;
@@ -123,33 +156,29 @@ void Predict(const StereoCamera& camera, const RigidTransform& later_from_camera
     const Eigen::Vector3d p_in_camera((left[i].u_px - camera.cx) * depth_m / camera.fx,
                                       (left[i].v_px - camera.cy) * depth_m / camera.fy, depth_m);
     flows_px.push_back((PixelOf(*later[i]) - PixelOf(left[i])).norm());
-    for (std::size_t k = 0; k < motions.size(); ++k) {
-      const Eigen::Vector3d p_in_later = motions[k] * p_in_camera;
-      const Eigen::Vector2d predicted(camera.fx * p_in_later.x() / p_in_later.z() + camera.cx,
-                                      camera.fy * p_in_later.y() / p_in_later.z() + camera.cy);
-      errors_px[k].push_back(p_in_later.z() > 0.0 ? (PixelOf(*later[i]) - predicted).norm() : 1e9);
-    }
+    const Eigen::Vector3d p_in_later = later_from_camera * p_in_camera;
+    const Eigen::Vector2d predicted(camera.fx * p_in_later.x() / p_in_later.z() + camera.cx,
+                                    camera.fy * p_in_later.y() / p_in_later.z() + camera.cy);
+    errors_px.push_back(p_in_later.z() > 0.0 ? (PixelOf(*later[i]) - predicted).norm() : 1e9);
   }
   if (flows_px.size() < kFewestMatches) return;
   sample.flow_px = Median(std::move(flows_px));
-  sample.error_px = Median(std::move(errors_px[0]));
-  sample.mirrored_px = std::min(Median(std::move(errors_px[1])), Median(std::move(errors_px[2])));
+  sample.error_px = Median(std::move(errors_px));
 }
 
 constexpr double kLeastFlow_px = 3.0;  // less tells nothing
 
 // Of a few frames over the sequence, each compared with the one a tenth of a second later, or half
 // a second where the camera moves slowly.
-std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
-  constexpr std::size_t kSamples = 10;
-  constexpr int kCorners = 1000;
-  constexpr std::size_t kMany = 200;  // corners
-  constexpr double kMostRows_px = 2.0;
+std::vector<Sample> SampleImages(const Sequence& sequence, double step_s, SeenImages& images) {
+  constexpr std::size_t kSamples = 10, kMany = 200;  // corners
+  constexpr double kDark = 64.0;
   const std::size_t frames = sequence.images.size();
   const auto frames_in = [&](double time_s) {
     return static_cast<std::size_t>(std::max(1.0, std::round(time_s / step_s)));
   };
   const auto& truth = sequence.groundtruth_world_from_camera;
+  const bool boxes = !sequence.detections.empty() || !sequence.labels.empty();
   std::vector<Sample> samples;
   for (std::size_t k = 0; k < kSamples && frames > frames_in(0.1); ++k) {
     const std::size_t last = frames - 1 - frames_in(0.1);
@@ -157,18 +186,15 @@ std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
     if (k > 0 && i == (k - 1) * last / (kSamples - 1)) continue;
     Sample sample;
     sample.seen.frame = sequence.first_frame + static_cast<int>(i);
-    sample.left = CornersOf(sequence, i, 0, kCorners);
-    const Corners right = CornersOf(sequence, i, 1, kCorners);
-    const std::vector<const OrbKeypoint*> partners = MatchAnywhere(sample.left, right);
-    sample.dark = sample.left.empty() && !LoadFrameImage(sequence, i, 0).grey.empty();
-    sample.both = std::min(sample.left.size(), right.size()) >= kMany;
-    sample.pair = CheckPair(sample.left, partners);
-    for (std::size_t c = 0; c < partners.size(); ++c) {
-      sample.seen.corners.push_back(PixelOf(sample.left[c]));
-      if (partners[c] == nullptr) continue;
-      const Eigen::Vector2d apart_px = PixelOf(sample.left[c]) - PixelOf(*partners[c]);
-      if (std::abs(apart_px.y()) > kMostRows_px) continue;
-      sample.seen.points.emplace_back(sample.left[c].u_px, sample.left[c].v_px, apart_px.x());
+    const SeenImage& left = See(sequence, i, 0, images);
+    const SeenImage& right = See(sequence, i, 1, images);
+    const std::vector<const OrbKeypoint*> partners = MatchAnywhere(*left.corners, *right.corners);
+    sample.dark = !left.small.empty() && (left.corners->empty() || left.brightest < kDark);
+    sample.rich = left.corners->size() >= kMany;
+    sample.pair = CheckPair(*left.corners, partners);
+    if (boxes) {
+      const double scale = static_cast<double>(left.small.cols) / sequence.camera.width_px;
+      sample.seen.points = DisparitiesOf(left.small, right.small, scale);
     }
     if (sample.pair && sample.pair->disparity_px > 0.0) {
       sample.depth_m = sequence.camera.fx * sequence.camera.baseline_m / sample.pair->disparity_px;
@@ -176,15 +202,49 @@ std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
     for (const double apart_s : {0.1, 0.5}) {
       const std::size_t then = i + frames_in(apart_s);
       if (sample.flow_px >= kLeastFlow_px || then >= frames || !truth[i] || !truth[then]) break;
-      const Corners later = CornersOf(sequence, then, 0, kCorners);
       const RigidTransform later_from_camera = truth[then]->Inverse() * *truth[i];
-      Predict(sequence.camera, later_from_camera, sample.left, partners,
-              MatchAnywhere(sample.left, later), sample);
+      Predict(sequence.camera, later_from_camera, *left.corners, partners,
+              MatchAnywhere(*left.corners, *See(sequence, then, 0, images).corners), sample);
       sample.still = truth[then]->Minus(*truth[i]).norm() == 0.0;
     }
     samples.push_back(std::move(sample));
   }
   return samples;
+}
+
+// Finds frames that are not in the order of time: of four in a row, neighbours would differ less in
+// another order. Of a camera that does not move, all orders are about equally good.
+void FindDisorder(const Sequence& sequence, const std::vector<Sample>& samples, SeenImages& images,
+                  std::vector<std::string>& lines) {
+  constexpr double kFewest = 3.0, kMostBetter = 1.05;
+  double rows = 0.0, in_order = 0.0, given = 0.0, best = 0.0;
+  for (const Sample& sample : samples) {
+    const auto begin = static_cast<std::size_t>(sample.seen.frame - sequence.first_frame);
+    std::vector<cv::Mat> row;
+    for (std::size_t i = begin; i < std::min(begin + 4, sequence.images.size()); ++i) {
+      cv::Mat image = See(sequence, i, 0, images, false).small;
+      if (image.empty()) continue;
+      cv::resize(image, image, cv::Size(), 0.25, 0.25, cv::INTER_AREA);
+      image.convertTo(row.emplace_back(), CV_32F, 1.0, -cv::mean(image)[0]);  // exposures vary
+    }
+    if (row.size() < 4) continue;
+    std::array<std::size_t, 4> order = {0, 1, 2, 3};
+    std::vector<double> lengths;
+    do {
+      lengths.push_back(0.0);
+      for (std::size_t i = 1; i < row.size(); ++i) {
+        lengths.back() += cv::norm(row[order[i - 1]], row[order[i]], cv::NORM_L1);
+      }
+    } while (std::ranges::next_permutation(order).found);
+    const double shortest = std::ranges::min(lengths);
+    rows += 1.0;
+    in_order += lengths[0] <= shortest ? 1.0 : 0.0;
+    given += lengths[0];
+    best += shortest;
+  }
+  if (rows < kFewest || 2.0 * in_order >= rows || given <= kMostBetter * best) return;
+  lines.push_back(StrCat("images: in ", rows - in_order, " of ", rows,
+                         " places, four frames in a row would differ less in another order"));
 }
 
 // Finds rotations that are all the same, as of a truth of positions alone.
@@ -208,13 +268,9 @@ void FindNoRotations(const Sequence& sequence, std::vector<std::string>& lines) 
 
 // Finds contradictions between images, calibration and ground truth, in the median of the samples.
 void FindContradictions(const std::vector<Sample>& samples, std::vector<std::string>& lines) {
-  constexpr double kMostRows_px = 1.0;
-  constexpr double kNearest_m = 0.1;
-  constexpr double kFarthest_m = 150.0;
+  constexpr double kMostRows_px = 1.0, kNearest_m = 0.1, kFarthest_m = 150.0;
   constexpr double kMostError = 0.35;  // part of the flow
-  constexpr double kLeastMirrored_px = 0.4;
-  constexpr double kMostMirrored = 0.6;  // part of the error
-  std::vector<double> rows_px, depths_m, flows_px, errors, errors_px, mirrored_px;
+  std::vector<double> rows_px, depths_m, flows_px, errors;
   std::vector<std::string> problems;
   for (const Sample& sample : samples) {
     if (sample.pair) rows_px.push_back(sample.pair->row_error_px);
@@ -223,8 +279,6 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
     if (sample.flow_px < kLeastFlow_px) continue;
     flows_px.push_back(sample.flow_px);
     errors.push_back(sample.error_px / sample.flow_px);
-    errors_px.push_back(sample.error_px);
-    mirrored_px.push_back(sample.mirrored_px);
   }
   const auto still = std::ranges::find_if(samples, [&](const Sample& sample) {
     return sample.still && sample.flow_px >= kLeastFlow_px;
@@ -238,10 +292,12 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
     return 2 * static_cast<std::size_t>(count) > samples.size();
   };
   const auto apart = std::ranges::count_if(
-      samples, [](const Sample& sample) { return sample.both && !sample.pair; });
+      samples, [](const Sample& sample) { return sample.rich && !sample.pair; });
   const auto dark = std::ranges::count_if(samples, &Sample::dark);
   if (most(dark)) {
-    lines.push_back(StrCat("images: ", dark, " of ", samples.size(), " looked at show no corner"));
+    lines.push_back(StrCat("images: ", dark, " of ", samples.size(),
+                           " looked at are nearly black or show no corner (10 to 14 bits in files "
+                           "of 16: scale them to all 16)"));
   } else if (most(apart)) {
     lines.push_back("stereo pair: the left and right images show nothing in common");
   } else if (most(problems.size())) {
@@ -259,39 +315,26 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
                            FormatFixed(100.0 * Median(errors), 0),
                            " % of that away from where it puts them (another scale, order or "
                            "clock, or a wrong baseline?)"));
-  } else if (most(errors.size()) && Median(mirrored_px) < kMostMirrored * Median(errors_px) &&
-             Median(mirrored_px) < Median(errors_px) - kLeastMirrored_px) {
-    lines.push_back(StrCat("ground truth of the camera: points end ",
-                           FormatFixed(Median(errors_px), 1), " px from where it puts them, and ",
-                           FormatFixed(Median(mirrored_px), 1), " px if it is mirrored"));
   }
 }
 
 }  // namespace
 
 std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence) {
-  constexpr int kCorners = 1000;
   const std::size_t middle = sequence.images.size() / 2;
-  const Corners left = CornersOf(sequence, middle, 0, kCorners);
-  std::optional<PairCheck> pair =
-      CheckPair(left, MatchAnywhere(left, CornersOf(sequence, middle, 1, kCorners)));
+  SeenImages images;
+  const Corners& left = *See(sequence, middle, 0, images).corners;
+  const Corners& right = *See(sequence, middle, 1, images).corners;
+  std::optional<PairCheck> pair = CheckPair(left, MatchAnywhere(left, right));
   if (pair) pair->frame = sequence.first_frame + static_cast<int>(middle);
   return pair;
 }
 
 void FindInImages(const Sequence& sequence, double step_s, std::vector<std::string>& lines) {
-  constexpr double kDark = 64.0;
-  double brightest = 255.0;
-  if (!sequence.images.empty()) {
-    const cv::Mat middle = LoadFrameImage(sequence, sequence.images.size() / 2, 0).grey;
-    if (!middle.empty()) cv::minMaxLoc(middle, nullptr, &brightest);
-  }
-  if (brightest < kDark) {
-    lines.push_back(StrCat("images: the brightest pixel of the middle one is ", brightest,
-                           " of 255 (10 to 14 bits in files of 16: scale them to all 16)"));
-  }
-  std::vector<Sample> samples = SampleImages(sequence, step_s);
+  SeenImages images;
+  std::vector<Sample> samples = SampleImages(sequence, step_s, images);
   FindContradictions(samples, lines);
+  FindDisorder(sequence, samples, images, lines);
   FindNoRotations(sequence, lines);
   std::vector<SeenFrame> frames;
   for (Sample& sample : samples) frames.push_back(std::move(sample.seen));

@@ -122,6 +122,7 @@ TEST_F(SuiteFaults, Leftovers) {
   ExpectDone(Suite("run"));
   leave("out");
   leave("out/failed");
+  left.push_back(folder_.Write(fs::path("out") / TemporaryName("plan.json"), "half"));
   const fs::path live = folder_.Write(fs::path("out") / TemporaryName("live"), "table");
   fs::remove(FirstResult());
   ExpectDone(Suite("run"));

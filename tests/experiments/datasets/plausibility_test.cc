@@ -90,6 +90,8 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
         Case{[](Sequence&) {}, "", 1},
         Case{[](Sequence&) {}, "images: 15 of 20 frames repeat", 15},
         Case{[](Sequence& s) { s.camera.baseline_m = 0.001; }, "a baseline of "},
+        Case{[](Sequence& s) { s.camera.fx = 800.0; },
+             "calibration: fx 800, fy 500, cx 320, cy 240 px of a 640x480"},
         Case{scale_times(20.0), "times: a median of 2 s per frame"},
         Case{scale_times(1e-3), "!times: found a median of "},
         Case{scale_boxes(2.0), "detections: 20 of 20 boxes end beyond the image of 640x480 px"},
@@ -98,7 +100,7 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
         Case{[](Sequence& s) { s.detections[3].frame = s.detections[5].frame = 4; },
              "detections: 2 of 20 boxes repeat another one"},
         Case{[](Sequence& s) {
-               for (ObjectBox& box : s.detections) box.left_px += std::exchange(box.frame, 4);
+               for (ObjectBox& box : s.detections) box.top_px += std::exchange(box.frame, 4);
              },
              "detections: all 20 boxes are of frame 4"},
         Case{spoil_label([](ObjectBox& box) { box.occlusion = 7; }),
@@ -117,6 +119,10 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
                for (ObjectBox& box : s.detections) box.right_px = box.left_px;
              },
              "detections: 20 of 20 boxes are without extent"},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.detections) box.right_px = 200.0;
+             },
+             "detections: 20 of 20 boxes are without the shape of a car or a person"},
         Case{[](Sequence& s) {
                for (ObjectBox& box : s.detections) box.type = "-1";
              },
@@ -167,7 +173,6 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
       const cv::Mat move = (cv::Mat_<double>(2, 3) << 1, 0, -at.x(), 0, 1, -at.y());
       cv::Mat image;
       cv::warpAffine(dots, image, move, size);
-      image(cv::Rect(200, 0, 120, 60)) = cv::Scalar(90);  // a part without corners
       const auto path = folder.path() / StrCat(side, i, ".png");
       test::WriteImageFile(path, image);
       return path;
@@ -178,11 +183,6 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
     const Eigen::Vector2d moved_m = -i * step_px * kDepth_m / kFocal_px;
     good.groundtruth_world_from_camera.push_back(RigidTransform(
         Eigen::Quaterniond::Identity(), Eigen::Vector3d(moved_m.x(), moved_m.y(), 0.0)));
-    ObjectBox box;
-    box.type = "Car";
-    box.frame = i;
-    box.left_px = 230.0, box.right_px = 290.0, box.top_px = 80.0, box.bottom_px = 140.0;
-    good.detections.push_back(box);
   }
   const auto scale_truth = [](double x, double y) {
     return [x, y](Sequence& s) {
@@ -200,11 +200,23 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
        {Case{[](Sequence&) {}, ""},
         Case{[&](Sequence& s) {
                const cv::Mat dark = cv::Mat(size, CV_8UC1, cv::Scalar(15));
-               s.images[3].left = folder.path() / "dark.png";
-               test::WriteImageFile(s.images[3].left, dark);
+               for (StereoPaths& paths : s.images) paths.left = folder.path() / "dark.png";
+               test::WriteImageFile(s.images[0].left, dark);
              },
-             "is 15 of 255 (10 to 14 bits in files of 16"},
-        Case{scale_truth(-1.0, 1.0), "px from where it puts them, and "},
+             "images: 5 of 5 looked at are nearly black or show no corner"},
+        Case{[](Sequence& s) {  // a disc that moves, in the order of frames 1 0 3 2 5 4
+               const cv::Mat still = ReadImageFile(s.images[0].left, cv::IMREAD_GRAYSCALE);
+               for (int i = 0; i < 6; ++i) {
+                 cv::Mat image = still.clone();
+                 cv::circle(image, {60 + 25 * (i ^ 1), 120}, 50, cv::Scalar(255), -1);
+                 const auto path = s.folder / StrCat("disc", i, ".png");
+                 test::WriteImageFile(path, image);
+                 s.images[static_cast<std::size_t>(i)] = {path, s.images[0].right};
+               }
+               s.groundtruth_world_from_camera.assign(6, std::nullopt);
+             },
+             "images: in 3 of 3 places, four frames in a row would differ less"},
+        Case{scale_truth(1.0, -1.0), "ground truth of the camera: points move by 10."},
         Case{scale_truth(2.0, 2.0), "ground truth of the camera: points move by 10."},
         Case{[](Sequence& s) { s.camera.baseline_m *= 0.2; }, "wrong baseline"},
         Case{[](Sequence& s) { s.camera.baseline_m *= 0.02; }, "a median depth of 0.04"},
@@ -231,11 +243,7 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
                  s.images[i - 1].right = s.images[i].right;
                }
              },
-             "points lie 10.0 px apart in rows"},
-        Case{[](Sequence& s) {
-               for (ObjectBox& box : s.detections) box.top_px = 5.0, box.bottom_px = 55.0;
-             },
-             "detections: 5 of 5 boxes looked at show no corner"}}) {
+             "points lie 10.0 px apart in rows"}}) {
     Sequence sequence = good;
     c.spoil(sequence);
     std::vector<std::string> lines;
@@ -253,8 +261,8 @@ TEST(Plausibility, ComparesBoxesWithDepths) {
   Sequence good;
   good.camera.width_px = 320;
   good.camera.height_px = 240;
-  std::vector<SeenFrame> frames(10);
-  for (int i = 0; i < 10; ++i) {
+  std::vector<SeenFrame> frames(12);
+  for (int i = 0; i < 12; ++i) {
     ObjectBox box;
     box.type = "Car";
     box.frame = frames[static_cast<std::size_t>(i)].frame = i;
@@ -265,7 +273,6 @@ TEST(Plausibility, ComparesBoxesWithDepths) {
         const bool body = u > 40.0 && u < 90.0 && v > 130.0 && v < 180.0;
         const double disparity_px = body ? 20.0 : 0.1 * v;
         frames[static_cast<std::size_t>(i)].points.emplace_back(u, v, disparity_px);
-        frames[static_cast<std::size_t>(i)].corners.emplace_back(u, v);
       }
     }
   }
@@ -280,8 +287,13 @@ TEST(Plausibility, ComparesBoxesWithDepths) {
        {Case{[](ObjectBox&) {}, ""},
         Case{[&](ObjectBox& b) { turn(b.left_px, b.right_px, 320.0); }, "if they were mirrored"},
         Case{[&](ObjectBox& b) { turn(b.top_px, b.bottom_px, 240.0); }, "if they were upside down"},
-        Case{[](ObjectBox& b) { b.left_px += 30.0, b.right_px += 90.0; },
-             "in 50 % of 20 comparisons"}}) {
+        Case{[](ObjectBox& b) { b.left_px += 30.0, b.right_px += 30.0; },
+             "if they were farther left"},
+        Case{[](ObjectBox& b) { b.top_px = 5.0, b.bottom_px = 45.0; }, "in only 50 % of"},
+        Case{[](ObjectBox& b) {
+               b.top_px *= 0.8, b.bottom_px *= 0.8, b.left_px *= 0.8, b.right_px *= 0.8;
+             },
+             "if they were scaled by 5/4"}}) {
     Sequence sequence = good;
     for (ObjectBox& box : sequence.detections) c.spoil(box);
     std::vector<std::string> lines;
