@@ -28,8 +28,8 @@ void FindBaseline(double baseline_m, std::vector<std::string>& lines) {
   constexpr double kShortest_m = 0.01;
   constexpr double kLongest_m = 3.0;
   if (baseline_m == 0.0 || (baseline_m >= kShortest_m && baseline_m <= kLongest_m)) return;
-  lines.push_back(StrCat("calibration: a baseline of ", baseline_m, " m, where ", kShortest_m,
-                         " to ", kLongest_m, " m are usual"));
+  lines.push_back(StrCat("calibration: a baseline of ", baseline_m, " m (in another unit?), where ",
+                         kShortest_m, " to ", kLongest_m, " m are usual"));
 }
 
 std::vector<double> StepsOf(const Sequence& sequence) {
