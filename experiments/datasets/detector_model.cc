@@ -21,12 +21,6 @@ namespace {
 
 constexpr std::array<int, 3> kCells_px = {8, 16, 32};
 
-int CellCount(const cv::Size& size) {
-  int count = 0;
-  for (const int cell : kCells_px) count += (size.width / cell) * (size.height / cell);
-  return count;
-}
-
 constexpr int kEndToEndColumns = 6;
 constexpr int kMaskColumns = 32;  // of a segmentation head, after the scores of classes
 
@@ -41,16 +35,14 @@ int ColumnsOf(OutputLayout layout, int categories) {
 // logarithms, which are never as large.
 bool HoldsPixels(const cv::Mat& rows) {
   constexpr float kLargestRaw = 12.0F;
-  int best = 0;
-  float best_score = -1.0F;
-  for (int i = 0; i < rows.rows; ++i) {
-    const float* row = rows.ptr<float>(i);
-    const float score = row[4] * *std::max_element(row + 5, row + rows.cols);
-    if (score > best_score) best = i;
-    best_score = std::max(best_score, score);
+  const auto score = [&](const float* row) {
+    return row[4] * *std::max_element(row + 5, row + rows.cols);
+  };
+  const float* best = rows.ptr<float>(0);
+  for (int i = 1; i < rows.rows; ++i) {
+    if (score(rows.ptr<float>(i)) > score(best)) best = rows.ptr<float>(i);
   }
-  const float* row = rows.ptr<float>(best);
-  return std::any_of(row, row + 4, [](float value) { return std::abs(value) > kLargestRaw; });
+  return std::any_of(best, best + 4, [](float value) { return std::abs(value) > kLargestRaw; });
 }
 
 struct CenteredBox {
@@ -91,6 +83,13 @@ CenteredBox ToPixels(const CenteredBox& box, OutputLayout layout, int row, const
   throw Error("OutputLayout: not one of the enumerators");
 }
 
+// Other numbers are logarithms of scores, corners or an angle.
+void CheckScore(float score) {
+  if (!(score < -0.001F || score > 1.001F)) return;  // rounding
+  ThrowError("model", StrCat("a score of ", score),
+             "0 to 1: another --layout, or an export with the sigmoid of scores");
+}
+
 std::vector<std::string> ReadNames(const fs::path& path) {
   const TextFile file(path);
   std::vector<std::string> names;
@@ -127,7 +126,7 @@ auto OrError(const fs::path& file, const char* expected, const Call& call) {
 cv::dnn::Net ReadNetwork(const DetectorFiles& files) {
   if (files.model.extension() == ".onnx") {
     const std::string bytes = ReadFileBytes(files.model);
-    return OrError(files.model, "an ONNX network that OpenCV reads",
+    return OrError(files.model, "an ONNX network of 32-bit numbers that OpenCV reads",
                    [&] { return cv::dnn::readNetFromONNX(bytes.data(), bytes.size()); });
   }
   if (files.model.extension() != ".cfg") {
@@ -156,7 +155,6 @@ ImageBox Letterbox::ToImage(const ImageBox& in_input) const {
 
 Letterbox FillInput(const cv::Mat& image, const cv::Size& size, Placement placement,
                     cv::Mat& input) {
-  constexpr int kFill = 114;
   Letterbox box;
   box.scale = std::min(static_cast<double>(size.width) / image.cols,
                        static_cast<double>(size.height) / image.rows);
@@ -169,7 +167,7 @@ Letterbox FillInput(const cv::Mat& image, const cv::Size& size, Placement placem
   box.offset_x_px = corner.x;
   box.offset_y_px = corner.y;
   input.create(size, CV_8UC3);
-  input.setTo(cv::Scalar::all(kFill));
+  input.setTo(cv::Scalar::all(114));
   cv::resize(image, input(cv::Rect(corner, scaled)), scaled, 0.0, 0.0, cv::INTER_LINEAR);
   return box;
 }
@@ -178,7 +176,6 @@ cv::Mat RowsOf(const cv::Mat& output, int categories, const std::string& where) 
   const auto fits = [&](int columns) {
     return columns == 4 + categories || columns == 5 + categories || columns == kEndToEndColumns;
   };
-  const auto masks = [&](int columns) { return fits(columns - kMaskColumns); };
   const int* sizes = output.size.p;
   std::string found = "an output of";
   for (int i = 0; i < output.dims; ++i) found += StrCat(i > 0 ? " x " : " ", sizes[i]);
@@ -189,26 +186,30 @@ cv::Mat RowsOf(const cv::Mat& output, int categories, const std::string& where) 
     // More boxes than columns, if either could be.
     return fits(sizes[2]) && (!fits(sizes[1]) || sizes[1] >= sizes[2]) ? plane : cv::Mat(plane.t());
   }
-  if (output.dims == 4 || (is_list && (masks(sizes[1]) || masks(sizes[2])))) {
+  if (is_list && (fits(sizes[1] - kMaskColumns) || fits(sizes[2] - kMaskColumns))) {
     found += ", as of a segmentation head";
   }
+  if (output.dims >= 4) found += ", as of masks or of heads that are not decoded";
   ThrowError(where, found,
              StrCat("boxes of ", categories, " classes, as many as names: rows of ", 4 + categories,
                     " or ", 5 + categories, " numbers, or of 6 (end-to-end)"));
 }
 
 std::optional<OutputLayout> LayoutOf(const cv::Mat& rows, const cv::Size& size, int categories) {
-  const int cells = CellCount(size);
-  const bool by_cell = rows.rows == cells || rows.rows == 3 * cells;
-  const bool end_to_end = rows.cols == kEndToEndColumns;
-  if (rows.cols == 4 + categories && (by_cell || !end_to_end)) return OutputLayout::kYolov8;
-  if (rows.cols == 5 + categories && (by_cell || !end_to_end)) {
+  const auto count = [&](int cell) { return (size.width / cell) * (size.height / cell); };
+  const int cells = count(8) + count(16) + count(32);
+  // Some networks have a level of smaller or larger cells as well, or three boxes per cell.
+  const auto fits = [&](int boxes) { return rows.rows == boxes || rows.rows == 3 * boxes; };
+  const bool by_cell = fits(cells) || fits(cells + count(4)) || fits(cells + count(64));
+  if (rows.cols == 4 + categories && by_cell) return OutputLayout::kYolov8;
+  if (rows.cols == 5 + categories && by_cell) {
     const bool pixels = HoldsPixels(rows);
     if (rows.rows == cells) return pixels ? OutputLayout::kYoloxDecoded : OutputLayout::kYolox;
     return pixels || rows.rows == 3 * cells ? std::optional(OutputLayout::kYolov5) : std::nullopt;
   }
   const bool either = rows.cols == 4 + categories || rows.cols == 5 + categories;
-  return end_to_end && !either ? std::optional(OutputLayout::kEndToEnd) : std::nullopt;
+  return rows.cols == kEndToEndColumns && !either ? std::optional(OutputLayout::kEndToEnd)
+                                                  : std::nullopt;
 }
 
 std::vector<RawBox> DecodeRows(const cv::Mat& rows, OutputLayout layout, const cv::Size& size,
@@ -228,11 +229,13 @@ std::vector<RawBox> DecodeRows(const cv::Mat& rows, OutputLayout layout, const c
     const float* row = rows.ptr<float>(i);
     for (int k = 0; k < 4; ++k) largest = std::max(largest, static_cast<double>(row[k]));
     const float* best = end_to_end ? row + 4 : std::max_element(row + first, row + rows.cols);
+    std::for_each(row + (times_objectness ? 4 : first), end_to_end ? row + 5 : row + columns,
+                  CheckScore);
     const double score = *best * (times_objectness ? static_cast<double>(row[4]) : 1.0);
     if (!(score >= min_score)) continue;
     const auto category = end_to_end ? std::lround(row[5]) : best - (row + first);
-    if (category < 0 || category >= categories) {
-      ThrowError("model", StrCat("class ", category), StrCat("0 to ", categories - 1));
+    if (category < 0 || category >= categories || (end_to_end && std::floor(row[5]) != row[5])) {
+      ThrowError("model", StrCat("class ", row[5]), StrCat("0 to ", categories - 1));
     }
     const CenteredBox box = ToPixels({row[0], row[1], row[2], row[3]}, layout, i, size);
     boxes.push_back({{box.x - 0.5 * box.width, box.y - 0.5 * box.height, box.x + 0.5 * box.width,
@@ -243,20 +246,19 @@ std::vector<RawBox> DecodeRows(const cv::Mat& rows, OutputLayout layout, const c
   constexpr double kLargestFraction = 2.0;
   const bool in_px = layout != OutputLayout::kDarknet && layout != OutputLayout::kYolox;
   if (in_px && largest <= kLargestFraction) {
-    for (RawBox& raw : boxes) {
-      raw.box = {raw.box.left_px * size.width, raw.box.top_px * size.height,
-                 raw.box.right_px * size.width, raw.box.bottom_px * size.height};
+    for (auto& [box, category, score] : boxes) {
+      box = {box.left_px * size.width, box.top_px * size.height, box.right_px * size.width,
+             box.bottom_px * size.height};
     }
   }
   return boxes;
 }
 
 std::vector<RawBox> SuppressOverlaps(std::vector<RawBox> boxes, double max_overlap) {
-  std::stable_sort(boxes.begin(), boxes.end(),
-                   [](const RawBox& a, const RawBox& b) { return a.score > b.score; });
+  std::ranges::stable_sort(boxes, std::ranges::greater(), &RawBox::score);
   std::vector<RawBox> kept;
   for (const RawBox& box : boxes) {
-    const bool hidden = std::any_of(kept.begin(), kept.end(), [&](const RawBox& better) {
+    const bool hidden = std::ranges::any_of(kept, [&](const RawBox& better) {
       return better.category == box.category &&
              IntersectionOverUnion(better.box, box.box) > max_overlap;
     });
@@ -295,10 +297,8 @@ struct DetectorModel::Network {
     net.setInput(cv::dnn::blobFromImage(input, IsYolox() ? 1.0 : 1.0 / 255.0, cv::Size(),
                                         cv::Scalar(), !IsYolox()));
     std::vector<cv::Mat> results;
-    OrError(files.model, "a network that runs on such an input", [&] {
-      net.forward(results, outputs);
-      return 0;
-    });
+    OrError(files.model, "a network that runs on such an input",
+            [&] { return net.forward(results, outputs), 0; });
     return results;
   }
 
@@ -328,7 +328,7 @@ struct DetectorModel::Network {
       const auto found = IsDarknet() ? std::nullopt : LayoutOf(rows, size, categories);
       if (!found && !files.layout) {
         ThrowError(files.model.string(), StrCat(rows.rows, " rows of ", rows.cols, " numbers"),
-                   StrCat("boxes of YOLO for an input of ", size.width, "x", size.height,
+                   StrCat("boxes of YOLO for an --input of ", size.width, "x", size.height,
                           ", or --layout NAME that tells what they are"));
       }
       layout = files.layout ? *files.layout : *found;

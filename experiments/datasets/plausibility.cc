@@ -37,8 +37,9 @@ void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines
   if (camera.baseline_m == 0.0 ||
       (camera.baseline_m >= kShortest_m && camera.baseline_m <= kLongest_m))
     return;
-  lines.push_back(StrCat("calibration: a baseline of ", camera.baseline_m, " m, where ",
-                         kShortest_m, " to ", kLongest_m, " m are usual"));
+  lines.push_back(StrCat("calibration: a baseline of ", camera.baseline_m,
+                         " m (in another unit?), where ", kShortest_m, " to ", kLongest_m,
+                         " m are usual"));
 }
 
 std::vector<double> StepsOf(const Sequence& sequence) {

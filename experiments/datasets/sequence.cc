@@ -200,8 +200,7 @@ std::vector<FoundSequence> FindSequences(const fs::path& root) {
   if (found.empty() && !fs::exists(folder)) {
     ThrowError(root.string(), "no such folder", "a folder to look for sequences in");
   }
-  std::sort(found.begin(), found.end(),
-            [](const FoundSequence& a, const FoundSequence& b) { return a.folder < b.folder; });
+  std::ranges::sort(found, {}, &FoundSequence::folder);
   return found;
 }
 

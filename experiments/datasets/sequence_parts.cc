@@ -185,12 +185,15 @@ void AddImages(const CameraPair& pair, const CameraRig& rig, Sequence& sequence)
   sequence.left_offset_m = rig.Offset_m(pair.left);
 }
 
+void FailTooFew(const fs::path& file, const std::string& found, const Sequence& sequence) {
+  ThrowError(file.string(), found,
+             StrCat(sequence.images.size(), ", as many as images, or at least ",
+                    sequence.first_frame + sequence.images.size(), ", those of all frames"));
+}
+
 void AddTimes(const fs::path& file, std::vector<std::int64_t> times_ns, Sequence& sequence) {
   auto of_images = OfImages(times_ns, file.string() + ": times", sequence);
-  if (!of_images) {
-    ThrowError(file.string(), StrCat(times_ns.size(), " times"),
-               StrCat(sequence.images.size(), ", as many as images, or more"));
-  }
+  if (!of_images) FailTooFew(file, StrCat(times_ns.size(), " times"), sequence);
   sequence.timestamps_ns = std::move(*of_images);
   sequence.other_files.push_back(file);
 }
@@ -279,9 +282,8 @@ void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& 
   std::vector<std::optional<RigidTransform>> poses;
   for (const std::int64_t time_ns : sequence.timestamps_ns) {
     std::optional<RigidTransform> pose = InterpolatePose(world_from_carrier, time_ns);
-    const auto after = std::lower_bound(
-        world_from_carrier.begin(), world_from_carrier.end(), time_ns,
-        [](const TimedPose& of, std::int64_t time) { return of.timestamp_ns < time; });
+    const auto after =
+        std::ranges::lower_bound(world_from_carrier, time_ns, {}, &TimedPose::timestamp_ns);
     if (pose && after->timestamp_ns != time_ns &&
         after->timestamp_ns - (after - 1)->timestamp_ns > kLongestGap_ns) {
       pose.reset();
@@ -291,8 +293,7 @@ void AddCameraTruth(const Trajectory& world_from_carrier, const RigidTransform& 
   }
   AddCameraTruth(std::move(poses), sequence);
   const auto& truth = sequence.groundtruth_world_from_camera;
-  const auto without =
-      std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !pose; });
+  const auto without = std::ranges::count_if(truth, [](const auto& pose) { return !pose; });
   if (without > 0) {
     sequence.missing.push_back(StrCat("no ground truth of the camera for ", without, " of ",
                                       truth.size(), " frames: ", reason));
@@ -310,7 +311,14 @@ void AddBoxes(const SequenceRequest& request, const LabelSource& own_labels, con
   const fs::path labels_file = request.labels_file.empty() ? own_labels.file : request.labels_file;
   if (!labels_file.empty()) {
     const int camera = request.labels_camera == -1 ? own_labels.camera : request.labels_camera;
-    sequence.labels = ReadLabels(labels_file, sequence.total_frames);
+    const int most = std::numeric_limits<int>::max();  // the data set's are of all frames
+    sequence.labels =
+        ReadLabels(labels_file, request.labels_file.empty() ? most : sequence.total_frames);
+    const auto last = std::ranges::max_element(sequence.labels, {}, &ObjectBox::frame);
+    if (last != sequence.labels.end() && last->frame >= sequence.total_frames) {
+      sequence.notes.push_back(StrCat(labels_file.string(), ": labels up to frame ", last->frame,
+                                      ", images up to ", sequence.total_frames - 1));
+    }
     MoveLabels(rig.Offset_m(camera) - rig.Offset_m(left_camera), sequence.camera.fx,
                sequence.labels);
     sequence.other_files.push_back(labels_file);

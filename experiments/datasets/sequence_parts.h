@@ -82,6 +82,10 @@ std::optional<std::vector<T>> OfImages(const std::vector<T>& all, const std::str
   return std::vector<T>(begin, begin + static_cast<std::ptrdiff_t>(images));
 }
 
+// Throws Error that `found`, such as "15 times", are too few for the images.
+[[noreturn]] void FailTooFew(const std::filesystem::path& file, const std::string& found,
+                             const Sequence& sequence);
+
 // Returns world_from_camera of the left camera for poses of the IMU, empty or imu_0_from_imu_i.
 std::vector<std::optional<RigidTransform>> CameraPoses(
     const std::vector<std::optional<RigidTransform>>& imu_poses,

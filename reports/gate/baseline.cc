@@ -81,8 +81,9 @@ std::vector<std::uint64_t> GateSeeds(const GateRuns& runs, std::size_t gate_seed
   for (const SuiteRun& run : runs.runs) all.insert(run.planned.seed);
   std::vector<std::uint64_t> seeds(all.begin(), all.end());
   if (seeds.size() < 2) {
-    ThrowError(where, StrCat(seeds.size(), " seed"),
-               "at least two: tolerances are derived from their spread");
+    ThrowError(
+        where, StrCat(seeds.size(), " seed"),
+        "at least two, as of `experiment run --seeds 2`: tolerances are derived from their spread");
   }
   if (gate_seeds > seeds.size()) {
     ThrowError(where, StrCat(seeds.size(), " seeds"),

@@ -70,17 +70,25 @@ std::string ShortCell(const TextLine& line, const std::vector<std::size_t>& colu
 }
 
 // The values of the keys of a row, options with the last part of their name; the name of a system.
-std::string ShortLabel(const Table& table, const TextLine& line) {
-  Cells parts;
+// If that is long, options that most rows have are left out, unless a row has no others.
+std::string ShortLabel(const Table& table, const std::vector<const TextLine*>& lines,
+                       const TextLine& line) {
+  constexpr std::size_t kLong = 40;
+  Cells parts, unusual;
+  bool differs = false;
   for (std::size_t i = 0; i < table.keys.size(); ++i) {
     const std::string& value = line.texts[i];
     const std::size_t dot = table.keys[i].rfind('.');
-    if (dot == std::string::npos || line.theirs != nullptr) {
-      if (!value.empty()) parts.push_back(value);
-    } else if (value != "default") {
-      parts.push_back(StrCat(table.keys[i].substr(dot + 1), "=", value));
-    }
+    const bool is_option = dot != std::string::npos && line.theirs == nullptr;
+    if (is_option ? value == "default" : value.empty()) continue;
+    parts.push_back(is_option ? StrCat(table.keys[i].substr(dot + 1), "=", value) : value);
+    const auto same =
+        std::ranges::count(lines, value, [&](auto* other) { return other->texts[i]; });
+    if (is_option && 2 * same > std::ssize(lines)) continue;
+    unusual.push_back(parts.back());
+    differs = differs || is_option;
   }
+  if (differs && Width(Joined(parts, " ")) > kLong) parts = unusual;
   if (line.theirs != nullptr) return "  " + Joined(parts, " ");
   const JobCounts& jobs = line.row->jobs;
   if (jobs.done < jobs.planned) parts.push_back(StrCat("(", jobs.done, "/", jobs.planned, ")"));
@@ -259,7 +267,7 @@ ShortTable MakeShortTable(const Table& table) {
   lines.resize(lines.size() - made.more);
   for (const TextLine* line : lines) {
     Cells& row = made.rows.emplace_back();
-    row.push_back(ShortLabel(table, *line));
+    row.push_back(ShortLabel(table, lines, *line));
     for (const auto& of : columns) row.push_back(ShortCell(*line, of));
   }
   made.notes = ShortNotes(table, texts);

@@ -60,8 +60,7 @@ bool ShowsSequences(const Table& table) {
 
 // Older results do not state the split.
 bool ShowsSplits(const Table& table) {
-  return std::any_of(table.rows.begin(), table.rows.end(),
-                     [](const Row& row) { return !row.split.empty(); });
+  return std::ranges::any_of(table.rows, [](const Row& row) { return !row.split.empty(); });
 }
 
 std::vector<std::string> AllPrintable(std::vector<std::string> lines) {

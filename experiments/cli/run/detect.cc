@@ -153,8 +153,7 @@ Command AddDetectCommand(CLI::App& program) {
   app->footer(
       "The layout of a network's output is found by its sizes and values. Where these leave it "
       "open,\n--layout NAME states it: yolox, yolox_decoded, yolov5, yolov8 or end2end.\n"
-      "COCO's classes are written as KITTI's (car: Car, person: Pedestrian). No network is "
-      "included;\nexperiments/README.md says where to download one.\n"
+      "COCO's classes become KITTI's (car: Car, person: Pedestrian). No network is included.\n"
       "Example: clustervo detect drive_0013 --model yolov3.cfg --names coco.names -o boxes.txt\n"
       "         clustervo run drive_0013 -o results/0013 --variant full --detections boxes.txt");
   return {app, [flags] { return DetectBoxes(*flags); }};

@@ -110,7 +110,7 @@ void PrintInfo(const Sequence& sequence, const std::optional<PairCheck>& pair) {
   table.Add({"labels", StrCat(sequence.labels.size(), " boxes")});
   table.Add({"detections", DetectionsText(sequence)});
   for (const std::string& line : sequence.missing) table.Add({"missing", line});
-  for (const std::string& line : Warnings(sequence)) table.Add({"implausible", line});
+  for (const std::string& line : Warnings(sequence)) table.Add({"note", line});
   table.Print(std::cout);
 }
 

@@ -33,8 +33,7 @@ void SetLens(const YamlMap& map, const std::string& key, LensModel lens, LensCam
              lens == LensModel::kEquidistant ? "4: k1 k2 k3 k4"
                                              : "4, 5, 8, 12 or 14: k1 k2 p1 p2 [k3 ...]");
   }
-  const bool none = std::all_of(camera.coefficients.begin(), camera.coefficients.end(),
-                                [](double k) { return k == 0.0; });
+  const bool none = std::ranges::all_of(camera.coefficients, [](double k) { return k == 0.0; });
   if (none && lens == LensModel::kPlumbBob) camera.lens = LensModel::kPinhole;
 }
 

@@ -40,16 +40,9 @@ std::vector<std::string_view> Cells(std::string_view line) {
 constexpr std::string_view kShape = "dddd-dd-dd dd:dd:dd.ddddddddd";
 
 bool HasShape(std::string_view text) {
-  if (text.size() != kShape.size()) return false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool digit = text[i] >= '0' && text[i] <= '9';
-    if (kShape[i] == 'd' ? !digit : text[i] != kShape[i]) return false;
-  }
-  return true;
-}
-
-std::string_view TrimEnd(std::string_view text) {
-  return text.substr(0, text.find_last_not_of(" \t") + 1);
+  return std::ranges::equal(text, kShape, [](char c, char shape) {
+    return shape == 'd' ? c >= '0' && c <= '9' : c == shape;
+  });
 }
 
 constexpr std::size_t kColumns = 30;
@@ -202,7 +195,7 @@ std::vector<std::int64_t> ReadDateTimes(const std::filesystem::path& path) {
   const TextFile file(path);
   std::vector<std::int64_t> times;
   for (std::size_t i = 0; i < file.size(); ++i) {
-    const std::optional<std::int64_t> time = ParseDateTimeNs(TrimEnd(file.line(i)));
+    const std::optional<std::int64_t> time = ParseDateTimeNs(Trimmed(file.line(i)));
     if (!time) {
       ThrowError(file.Where(i), Quoted(file.line(i)), "a time YYYY-MM-DD HH:MM:SS.nnnnnnnnn");
     }
@@ -228,7 +221,8 @@ TimeUnit ImageTimeUnit(const std::vector<std::string_view>& texts, const std::st
 
 std::string UnitNote(const TimeUnit& unit, const std::string& where) {
   if (unit.ns == 1 || unit.ns == 1'000'000'000) return "";
-  return StrCat(where, ": times taken for ", unit.name, ", which makes ", 1.0 / unit.step_s, " Hz");
+  return StrCat(where, ": times taken for ", unit.name, ", which makes ",
+                FormatGeneral(1.0 / unit.step_s, 4), " Hz");
 }
 
 ImageTimes ReadTimes(const std::filesystem::path& path) {

@@ -72,21 +72,32 @@ struct FrameTimes {
   std::vector<std::int64_t> ns;
 };
 
-// Reads one time per left image in the folder, and returns those of the frames.
+// Returns the times of the frames: of one per left image, or, of more, by the images' numbers.
 std::vector<std::int64_t> TimesOfFile(const StereoImport& request, StereoSource& source) {
   const ImageTimes times = ReadTimes(request.times);
-  if (times.ns.size() != source.listed) {
-    ThrowError(request.times.string(), StrCat(times.ns.size(), " times"),
-               StrCat(source.listed, ", one per image of the left camera"));
+  const std::size_t count = times.ns.size();
+  const bool longer = count > source.listed;
+  const auto [first, last] = std::ranges::minmax(source.numbers);
+  if (count < source.listed ||
+      (longer && (first > 1.0 || last - first >= static_cast<double>(count)))) {
+    ThrowError(request.times.string(), StrCat(count, " times"),
+               StrCat(source.listed,
+                      ", one per left image; more if these are numbered from 0 or 1, "
+                      "none if their names are times"));
   }
   if (!times.note.empty()) source.notes.push_back(times.note);
+  if (longer) {
+    source.notes.push_back(StrCat(request.times.string(), ": ", count, " times for ", source.listed,
+                                  " images: those of ", first, " to ", last));
+  }
   std::vector<std::int64_t> of_frames;
-  for (const std::size_t i : source.kept) of_frames.push_back(times.ns[i]);
+  for (const std::size_t i : source.kept) {
+    of_frames.push_back(times.ns[longer ? static_cast<std::size_t>(source.numbers[i] - first) : i]);
+  }
   return of_frames;
 }
 
 FrameTimes TimesOf(const StereoImport& request, StereoSource& source) {
-  constexpr double kUsual_hz = 10.0;
   FrameTimes times{"names", source.times_ns};
   if (!request.times.empty()) times = {"file", TimesOfFile(request, source)};
   if (!times.ns.empty()) {
@@ -95,7 +106,7 @@ FrameTimes TimesOf(const StereoImport& request, StereoSource& source) {
                "one of the two");
   }
   if (request.rate_hz) return {"rate", NominalTimes(source.kept.size(), *request.rate_hz)};
-  return {"nominal", NominalTimes(source.kept.size(), kUsual_hz)};
+  return {"nominal", NominalTimes(source.kept.size())};
 }
 
 std::string TimesText(const FrameTimes& times) {
@@ -223,7 +234,7 @@ ImportOutcome ImportStereo(const StereoImport& request, const fs::path& folder,
 fs::path ImportIntoCache(const StereoImport& request, const fs::path& cache,
                          const ImportProgress& progress) {
   constexpr const char* kMadeBy =
-      "import 4\n";  // to be changed if the same input yields other images or an error
+      "import 5\n";  // to be changed if the same input yields other images or an error
   constexpr std::size_t kShortHash = 16;
   Sha256 hash;
   hash.Add(kMadeBy);

@@ -67,7 +67,11 @@ std::map<std::string, fs::path> ByNumber(const Files& files) {
   std::map<std::string, fs::path> by_number;
   for (const fs::path& file : files) {
     const std::string number = NumberOf(file);
-    if (number.empty() || !by_number.emplace(number, file).second) return {};
+    if (number.empty()) return {};
+    const auto [same, added] = by_number.emplace(number, file);
+    if (added) continue;
+    if (!IsNumber(file) || !IsNumber(same->second)) return {};
+    ThrowError(file.string(), "the number of " + same->second.filename().string(), "another one");
   }
   return by_number;
 }
@@ -90,9 +94,8 @@ ImageTimes TimesOfNames(const Files& files, const fs::path& folder) {
   const auto has_point = [](const fs::path& file) {
     return file.stem().string().find('.') != std::string::npos;
   };
-  if (by_value.empty() || !std::all_of(files.begin(), files.end(), IsNumber) ||
-      (by_value.begin()->first < kLeastClock &&
-       !std::any_of(files.begin(), files.end(), has_point))) {
+  if (by_value.empty() || !std::ranges::all_of(files, IsNumber) ||
+      (by_value.begin()->first < kLeastClock && std::ranges::none_of(files, has_point))) {
     return {};
   }
   std::vector<std::string> stems;
@@ -149,9 +152,8 @@ void CheckPartners(const Files& left, const Files& right) {
   const std::map<std::string, fs::path> of_right = ByNumber(right);
   if (of_left.empty() || of_right.empty()) return;
   const auto is_shared = [&](const auto& numbered) { return of_right.contains(numbered.first); };
-  if (std::none_of(of_left.begin(), of_left.end(), is_shared) &&
-      std::all_of(left.begin(), left.end(), IsNumber) &&
-      std::all_of(right.begin(), right.end(), IsNumber)) {
+  if (std::ranges::none_of(of_left, is_shared) && std::ranges::all_of(left, IsNumber) &&
+      std::ranges::all_of(right, IsNumber)) {
     return;
   }
   CheckAllIn(of_right, left);
@@ -188,6 +190,11 @@ StereoSource FindStereo(const fs::path& left, const fs::path& right) {
   StereoSource source{{ListImages(left), ListImages(right)}};
   auto& files = source.files;
   source.listed = files[0].size();
+  const bool numbered = !ByNumber(files[0]).empty();
+  for (std::size_t i = 0; i < source.listed; ++i) {
+    source.numbers.push_back(numbered ? *ParseDouble(NumberOf(files[0][i]))
+                                      : static_cast<double>(i));
+  }
   const ImageTimes of_left = TimesOfNames(files[0], left);
   const ImageTimes of_right = TimesOfNames(files[1], right);
   if (of_left.ns.empty() || of_right.ns.empty()) {

@@ -40,6 +40,7 @@ struct StereoSource {
   std::array<std::vector<std::filesystem::path>, 2> files;
   std::vector<std::int64_t> times_ns = {};  // of the left images; empty if names tell none
   std::size_t listed = 0;                   // number of left images in the folder
+  std::vector<double> numbers = {};         // in their names; 0, 1, ... if not all have their own
   std::vector<std::size_t> kept = {};       // which of them are in `files`
   std::vector<std::string> notes = {};      // the unit of the times, and what is left out
 };

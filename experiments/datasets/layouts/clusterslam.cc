@@ -250,10 +250,10 @@ void AddTruth(const Settings& settings, Sequence& sequence) {
   for (const auto& [number, file] : NumberedFiles(sequence.folder / "pose", ".txt")) {
     if (number == static_cast<std::int64_t>(files.size())) files.push_back(file);
   }
-  if (files.size() != sequence.images.size()) {
-    ThrowError((sequence.folder / "pose").string(), StrCat(files.size(), " files"),
-               StrCat(sequence.images.size(), ", as many as images"));
-  }
+  const fs::path folder = sequence.folder / "pose";
+  const auto of_images = OfImages(files, folder.string() + ": files", sequence);
+  if (!of_images) FailTooFew(folder, StrCat(files.size(), " files"), sequence);
+  files = *of_images;
   sequence.other_files.insert(sequence.other_files.end(), files.begin(), files.end());
   const std::size_t clusters = ReadPoses({files.front()}, true).front().size() - 1;
   const fs::path mapping = sequence.folder / "landmark_mapping.txt";

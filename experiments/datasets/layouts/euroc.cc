@@ -43,14 +43,19 @@ Camera ReadCamera(const fs::path& folder, Sequence& sequence) {
   sequence.other_files.push_back(list);
   Camera camera;
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    const fs::path file = folder / "data" / rows.Text(i, 1);
+    if (!fs::is_regular_file(file)) continue;  // of a part of the recording
     const std::int64_t time_ns = rows.Integer(i, 0);
-    CheckLater(rows, i, time_ns, i > 0 ? std::optional(camera.times_ns.back()) : std::nullopt,
+    CheckLater(rows, i, time_ns,
+               camera.files.empty() ? std::nullopt : std::optional(camera.times_ns.back()),
                folder.filename().string());
     camera.times_ns.push_back(time_ns);
-    camera.files.push_back(folder / "data" / rows.Text(i, 1));
-    if (!fs::is_regular_file(camera.files.back())) {
-      rows.Fail(i, "no image " + camera.files.back().string(), "one for each row");
-    }
+    camera.files.push_back(file);
+  }
+  if (camera.files.empty())
+    rows.Fail(0, StrCat("no image in ", (folder / "data").string()), "one per row");
+  if (const std::size_t without = rows.size() - camera.files.size()) {
+    sequence.notes.push_back(StrCat(list.string(), ": ", without, " rows without an image"));
   }
   return camera;
 }

@@ -51,8 +51,7 @@ void AddOdometryTruth(Sequence& sequence) {
   const std::size_t frames = sequence.images.size();
   const auto of_images = OfImages(poses, path.string() + ": poses", sequence);
   if (!of_images && sequence.first_frame > 0) {
-    ThrowError(path.string(), StrCat(poses.size(), " poses"),
-               StrCat(frames, ", as many as images, or those of all frames"));
+    FailTooFew(path, StrCat(poses.size(), " poses"), sequence);
   }
   if (poses.size() < frames) {
     sequence.missing.push_back(StrCat(path.string(), ": poses of the last ", frames - poses.size(),
@@ -179,9 +178,9 @@ void AddRawTruth(const fs::path& date_folder, const CalibrationFile& cameras, Se
   for (std::size_t i = 0; i < sequence.images.size(); ++i) {
     const auto file = files.find(sequence.first_frame + static_cast<std::int64_t>(i));
     if (file == files.end()) {
-      ThrowError(folder.string(),
-                 StrCat("no packet of frame ", sequence.first_frame + static_cast<int>(i)),
-                 "one for each image, or no folder oxts");
+      sequence.missing.push_back(StrCat(folder.string(), ": no packet of frame ",
+                                        sequence.first_frame + i, ": no ground truth"));
+      return;
     }
     packets.push_back(ReadOxtsPacket(file->second));
     sequence.other_files.push_back(file->second);
@@ -244,8 +243,8 @@ void AddTrackingTruth(const fs::path& oxts_file, const CalibrationFile& calibrat
   const std::vector<OxtsPacket> packets = ReadOxtsPackets(oxts_file);
   const auto of_images = OfImages(packets, oxts_file.string() + ": packets", sequence);
   if (!of_images) {
-    ThrowError(oxts_file.string(), StrCat(packets.size(), " packets"),
-               StrCat(sequence.images.size(), ", as many as images, or more"));
+    sequence.missing.push_back(oxts_file.string() + ": too few packets: no ground truth");
+    return;
   }
   AddOxtsTruth(*of_images, ReadCamera0FromImu(calibration), sequence);
 }

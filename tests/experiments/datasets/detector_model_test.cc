@@ -139,9 +139,20 @@ TEST(NetworkOutput, OtherOutputsAreRefused) {
   };
   EXPECT_THAT(problem({1, 42, 9}, 3), testing::HasSubstr("net: found an output of 1 x 42 x 9, "));
   EXPECT_THAT(problem({1, 39, 42}, 3), testing::HasSubstr("segmentation head"));
-  EXPECT_THAT(problem({1, 32, 16, 16}, 3), testing::HasSubstr("segmentation head"));
+  EXPECT_THAT(problem({1, 32, 16, 16}, 3), testing::HasSubstr("masks or of heads"));
   const cv::Mat open = RowsOf(Zeros({1, 300, 6}), 2, "net");
   EXPECT_FALSE(LayoutOf(open, kInput, 2)) << "two classes, or end-to-end";
+  EXPECT_FALSE(LayoutOf(RowsOf(Zeros({40, 7}), 3, "net"), kInput, 3)) << "neither 42 nor 126 rows";
+  const auto decode = [](OutputLayout layout, std::vector<float> row) {
+    const cv::Mat rows(1, static_cast<int>(row.size()), CV_32F, row.data());
+    return ErrorMessage([&] { DecodeRows(rows, layout, kInput, 3, 0.5); });
+  };
+  EXPECT_THAT(decode(OutputLayout::kYolov8, {40, 30, 20, 10, 0.1F, -2.5F, 0.6F}),
+              testing::HasSubstr("a score of -2.5, expected 0 to 1"));
+  EXPECT_THAT(decode(OutputLayout::kEndToEnd, {30, 25, 50, 35, 2, 0.8F}),
+              testing::HasSubstr("a score of 2"));
+  EXPECT_THAT(decode(OutputLayout::kEndToEnd, {30, 25, 50, 35, 1, 0.8F}),
+              testing::HasSubstr("found class 0.8"));
 }
 
 TEST(NetworkOutput, KeepsTheBestOfOverlappingBoxesOfAClass) {

@@ -164,6 +164,22 @@ TEST_F(ImportStereoTest, ReadsTimesFromNamesAndFiles) {
   ExpectError("--rate: found times in a name as well");
 }
 
+TEST_F(ImportStereoTest, TimesOfALongerRecordingAreCut) {
+  request_.times = folder_.Write("times.txt", "0\n0.1\n0.2\n0.3\n0.45\n");
+  WriteImages({"0.png", "1.png", "3.png"});
+  Import();
+  const Sequence sequence = OpenSequence({.folder = out()});
+  EXPECT_EQ(sequence.timestamps_ns[2], 300'000'000);
+  EXPECT_THAT(FindImplausible(sequence),
+              testing::Contains(testing::HasSubstr("5 times for 3 images: those of 0 to 3")));
+  fs::remove_all(out());
+  WriteImages({"03.png"});
+  ExpectError("3.png: found the number of 03.png, expected another one");
+  for (const fs::path& side : {request_.left, request_.right}) fs::remove_all(side);
+  WriteImages({"2.png", "3.png"});
+  ExpectError("found 5 times, expected 2, one per left image; more if these are numbered");
+}
+
 // Regression: such images used to be paired by their position. Of the left camera the last image
 // has no partner, of the right one the third.
 TEST_F(ImportStereoTest, PairsImagesByTheTimesInTheirNames) {

@@ -107,7 +107,8 @@ TEST_F(Sequences, ColourTruthTurnsAboutTheColourCamera) {
 
 TEST_F(Sequences, RawDriveWithoutOxtsHasNoTruth) {
   const fs::path folder = WriteRawDrive(root_);
-  for (const char* removed : {"../calib_velo_to_cam.txt", "oxts/data", "oxts"}) {
+  for (const char* removed :
+       {"oxts/data/0000000001.txt", "../calib_velo_to_cam.txt", "oxts/data", "oxts"}) {
     fs::remove_all(folder / removed);
     const Sequence s = OpenSequence({.folder = folder});
     EXPECT_EQ(s.groundtruth, "none");
@@ -199,6 +200,20 @@ TEST_F(Sequences, OpensTrackingInBothCalibrationDialects) {
     EXPECT_EQ(s.labels[0].left_px, 4.5);
     EXPECT_THAT(s.missing, IsEmpty());
   }
+}
+
+TEST_F(Sequences, TrackingWithOtherFramesThanImages) {
+  const fs::path folder = WriteTrackingSequence(root_);
+  root_.Write("training/oxts/0005.txt", OxtsPacketText(0) + OxtsPacketText(1));
+  const std::string label = " -1 Car 0 0 0 0 0 1 1 1 1 1 1 1 1 1\n";
+  const fs::path labels = root_.Write("training/label_02/0005.txt", "1" + label + "9" + label);
+  const Sequence s = OpenSequence({.folder = folder});
+  EXPECT_EQ(s.groundtruth, "none");
+  EXPECT_THAT(s.missing, ElementsAre(HasSubstr("0005.txt: too few packets")));
+  EXPECT_EQ(s.labels.size(), 1u);
+  EXPECT_THAT(s.notes, ElementsAre(HasSubstr("labels up to frame 9, images up to 2")));
+  EXPECT_THAT(ErrorMessage([&] { OpenSequence({.folder = folder, .labels_file = labels}); }),
+              HasSubstr("0005.txt:2: found frame 9, expected a frame of the sequence, 0 to 2"));
 }
 
 TEST_F(Sequences, OpensTrackingByItsImageFolderOrWithASlash) {

@@ -99,6 +99,26 @@ TEST(TableText, FitsOneScreen) {
                           Not(HasSubstr("purity")), Not(HasSubstr("absent"))));
 }
 
+// Of a sweep of many options one at a time.
+TEST(TableText, LongNamesLeaveOutWhatMostRowsHave) {
+  Table table = SmallTable();
+  table.keys = {"orb.features", "stereo.right_features", "window.temporal"};
+  const Row row = table.rows[0];
+  table.rows.clear();
+  for (const std::vector<std::string>& keys :
+       std::vector<std::vector<std::string>>{{"1500", "1.5", "15"},
+                                             {"1000", "1.5", "15"},
+                                             {"1500", "2", "15"},
+                                             {"1500", "1.5", "9"}}) {
+    table.rows.push_back(row);
+    table.rows.back().keys = keys;
+    table.rows.back().reference.clear();
+  }
+  EXPECT_THAT(TableText(table),
+              AllOf(HasSubstr("\nfeatures=1500 right_features=1.5 temporal=15 "),
+                    HasSubstr("\nfeatures=1000   "), HasSubstr("\nright_features=2   ")));
+}
+
 TEST(TableText, ReportsMissingRuns) {
   Table table = SmallTable();
   table.rows[0].cells[1] = {};
