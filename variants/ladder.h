@@ -82,8 +82,8 @@ inline constexpr Rung kLadder[] = {
        options.clusters.trace_states = ours.clusters.trace_states;
      }},
     {"identity",
-     "a cluster that is not found releases its box; a new cluster that shares landmarks with a "
-     "lost one takes over its id and its body frame"}};
+     "a cluster that is not found keeps its box only while its prediction is good; a new cluster "
+     "that shares landmarks with a lost one takes over its id and its body frame"}};
 inline constexpr std::size_t kRungs = std::size(kLadder);
 inline constexpr std::uint32_t kAllRungs = (1U << kRungs) - 1U;
 

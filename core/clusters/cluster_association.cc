@@ -3,6 +3,7 @@
 #include "core/clusters/cluster_association.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace cvo {
 
@@ -177,6 +178,11 @@ void RematchAssociated(const FrameView& view, const ClusterMap& map, Rng& rng, T
 void RematchInBox::Rematch(const FrameView& view, const ClusterMap& map, Rng& rng,
                            TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
   RematchAssociated(view, map, rng, taken, tracks);
+  for (std::size_t q = 0; q < tracks.size(); ++q) {
+    const bool is_placed =
+        std::sqrt(tracks[q].predicted.translation_variance_m2) < PointDeviation_m(map.live[q]);
+    tracks[q].is_tracked |= tracks[q].detection >= 0 && is_placed;
+  }
   NoBoxRematch::Rematch(view, map, rng, taken, tracks);
 }
 

@@ -26,14 +26,14 @@ void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from
 // not found.
 
 // Policy: compares the descriptors in the box with those of the cluster's unmatched landmarks and
-// keeps the matches that agree on a pose. A box without a pose may show another body: it is
-// released.
+// keeps the matches that agree on a pose. A cluster that was not found keeps its box, and gets new
+// landmarks there at its predicted pose, only while this pose is known as well as its points are
+// compared (METHOD.md 4.6); else the box is released.
 struct RematchInBox {
   static void Rematch(const FrameView& view, const ClusterMap& map, Rng& rng, TakenFeatures& taken,
                       std::vector<ClusterTrack>& tracks);
 };
-// Policy: the same, but a cluster that was not found in its box keeps it and gets new landmarks
-// there, at its predicted pose (the relaunch of the paper's section 4.2).
+// Policy: the same, but the box is kept in any case (the relaunch of the paper's section 4.2).
 struct RematchAndRelaunch {
   static void Rematch(const FrameView& view, const ClusterMap& map, Rng& rng, TakenFeatures& taken,
                       std::vector<ClusterTrack>& tracks);

@@ -45,6 +45,12 @@ inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
   return cluster.detections >= options.confirm_detections || cluster.given_body.valid();
 }
 
+// Distance up to which two places of one point of the body agree, m: 0.4 of the largest half side,
+// a twelfth of the body's size (set by hand on the rendered rooms, not swept).
+inline double PointDeviation_m(const Cluster& cluster) {
+  return 0.4 * cluster.half_size_m.maxCoeff();
+}
+
 // Whether a detection in the newest frame confirmed the cluster. It may still be identified as a
 // lost cluster (InheritLostIdentity).
 inline bool IsJustConfirmed(const Cluster& cluster, const ClusterOptions& options, FrameId newest) {

@@ -19,18 +19,9 @@ namespace {
 // swept).
 constexpr int kCompareFrames = 15;
 
-// Maximum distance at which landmarks of the two clusters are taken for the same point, relative to
-// the largest half side of the cluster: a twelfth of the body's size (set by hand on the rendered
-// rooms, not swept).
-constexpr double kPointDeviation = 0.4;
-
 // Maximum distance of the lost cluster from its predicted position, in standard deviations of the
 // prediction: cars of one model share their landmarks, but no car jumps.
 constexpr double kGate = 3.0;
-
-double PointDeviation_m(const Cluster& found) {
-  return kPointDeviation * found.half_size_m.maxCoeff();
-}
 
 // Whether two clusters may be the same body, judged by class and given body.
 bool MayBeOne(const Cluster& found, const Cluster& lost) {

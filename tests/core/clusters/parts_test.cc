@@ -174,6 +174,30 @@ TEST(PredictLandmark, IsInvisibleOutsideTheImageAndBehindTheCamera) {
   EXPECT_FALSE(p.Predict());
 }
 
+TEST(RematchInBox, AClusterThatIsNotFoundKeepsItsBoxWhileItsPlaceIsKnown) {
+  const Options options;
+  const StereoFrame frame;
+  const FeatureGrid grid({}, kCamera);
+  const std::vector<Detection> boxes = {{{10.0, 10.0, 50.0, 50.0}, "Crate"}};
+  ShownBodies shown;
+  shown.detections = boxes;
+  ClusterMap map;
+  map.live.resize(1);
+  map.live[0].half_size_m = {0.1, 0.25, 0.2};
+  TakenFeatures taken;
+  Rng rng(1, "test");
+  const auto keeps = [&](double deviation_m) {
+    std::vector<ClusterTrack> tracks(1);
+    tracks[0].detection = 0;
+    tracks[0].predicted.translation_variance_m2 = deviation_m * deviation_m;
+    RematchInBox::Rematch({frame, shown, grid, kCamera, {}, options}, map, rng, taken, tracks);
+    EXPECT_EQ(tracks[0].is_tracked, tracks[0].detection == 0);
+    return tracks[0].is_tracked;
+  };
+  EXPECT_TRUE(keeps(0.099));
+  EXPECT_FALSE(keeps(0.101));
+}
+
 TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
   const ClusterOptions options;
   const MotionPriorOptions motion;
