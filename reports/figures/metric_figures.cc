@@ -20,6 +20,20 @@ namespace {
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
+constexpr char kDefault[] = "default";
+
+// "paper, pairwise.alpha 5": the row's keys without options at their default, without the one of
+// index `key` and, if only one option is varied at a time, without all options.
+std::string LabelOf(const Table& table, const Row& row, std::size_t key, bool one_at_a_time) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < row.keys.size(); ++i) {
+    const bool option = IsOption(table.keys[i]);
+    if (i == key || (option && (one_at_a_time || row.keys[i] == kDefault))) continue;
+    parts.push_back(option ? table.keys[i] + " " + row.keys[i] : row.keys[i]);
+  }
+  return Joined(parts, ", ");
+}
+
 // The difference of a cell, if it is drawn.
 const Difference* DrawnDifference(const Table& table, const Row& row, std::size_t column) {
   const auto& difference = row.cells[column].difference;
@@ -46,7 +60,9 @@ Panel DifferencePanel(const Table& table, const std::vector<const Row*>& rows, s
                                      : shown.unit.empty() ? ""
                                                           : StrCat(" (", shown.unit, ")"));
   panel.y.scale = AxisScale::kCategory;
-  for (const Row* row : rows) panel.y.categories.push_back(RowLabel(*row));
+  for (const Row* row : rows) {
+    panel.y.categories.push_back(LabelOf(table, *row, table.keys.size(), false));
+  }
   panel.rule = 0.0;
   for (const auto& [name, colour] :
        {std::pair{"not significant", 0}, std::pair{"better", 3}, std::pair{"worse", 2}}) {
@@ -77,7 +93,6 @@ Panel DifferencePanel(const Table& table, const std::vector<const Row*>& rows, s
 
 constexpr std::size_t kMaxLines = 12;
 constexpr std::size_t kMaxBands = 6;
-constexpr char kDefault[] = "default";
 
 // Rows of a table that differ only in one option, by its value.
 struct SweptLine {
@@ -107,16 +122,6 @@ bool OthersAtDefault(const Table& table, const Row& row, std::size_t key) {
     if (i != key && IsOption(table.keys[i]) && row.keys[i] != kDefault) return false;
   }
   return true;
-}
-
-std::string LabelOf(const Table& table, const Row& row, std::size_t key, bool one_at_a_time) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < row.keys.size(); ++i) {
-    const bool option = IsOption(table.keys[i]);
-    if (i == key || (one_at_a_time && option)) continue;
-    parts.push_back(option ? table.keys[i] + " " + row.keys[i] : row.keys[i]);
-  }
-  return Joined(parts, ", ");
 }
 
 SweptOption ReadOption(const SuitePlan& plan, const Table& table, std::size_t key) {
@@ -301,7 +306,14 @@ void AddAblation(const SuiteData& data, SuiteFigures& figures) {
       columns.push_back(column);
     }
   }
+  // Another system that is twenty times worse would squeeze the rows that are compared.
+  const auto is_other_system = [&](const Row& row) {
+    return std::ranges::any_of(data.plan.runs, [&](const PlannedRun& run) {
+      return !run.system.empty() && std::ranges::count(row.keys, run.system) > 0;
+    });
+  };
   for (const Row& row : table.rows) {
+    if (is_other_system(row)) continue;
     if (std::ranges::any_of(columns, [&](std::size_t column) {
           return DrawnDifference(table, row, column) != nullptr;
         })) {
@@ -326,7 +338,7 @@ void AddAblation(const SuiteData& data, SuiteFigures& figures) {
       StrCat("Paired difference from ", table.reference, ". ", Capitalised(RelationText(shown)));
   figure.caption =
       "Points: mean difference; lines: 95 % intervals. Coloured: significant after correction for "
-      "all comparisons of the table.";
+      "all comparisons of the table. Other systems are in the table alone.";
 }
 
 void AddSensitivity(const SuiteData& data, SuiteFigures& figures) {
