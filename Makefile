@@ -108,6 +108,7 @@ record: program ## DATA=<KITTI folder>: run what the documents quote; writes rep
 	  printf '## %s\n\n' $$suite; $(call recorded_table,results/$$suite) || test $$? -eq 1 || exit 2; echo; \
 	  case $$suite in pareto*) $(call recorded_figure,$$suite,pareto);; esac; \
 	done; } > $(record).new && mv $(record).new $(record)
+	@.ci/record-status $(record) $(release)/bin/clustervo true made
 	@.ci/quote-record $(record) $$(grep -rl '^<!-- record: ' --include='*.md' README.md core experiments)
 
 record-quick: program ## DATA=<KITTI folder>: run a sample of the record again and compare: results/record_quick
@@ -117,11 +118,8 @@ record-quick: program ## DATA=<KITTI folder>: run a sample of the record again a
 	  .ci/compare-record $(record) $$suite results/record_quick/$$suite.table || code=1; \
 	done; exit $$code
 
-record-status: program ## whether this program is the one of reports/RESULTS.md
-	@build=$$($(release)/bin/clustervo --version | sed -n 's/^build *\(.\{12\}\).*/\1/p'); for suite in $(recorded); do \
-	  awk -v build=$$build -v suite=$$suite '/^## /{ours = $$2 == suite} ours && match($$0, /build [0-9a-f]+/){r=substr($$0,RSTART+6,12)} \
-	  END{print suite ": " (!r ? "not in the record" : r == build ? "of this build" : "of build " r "; make record-quick tells whether a value has moved")}' $(record); \
-	done
+record-status: program ## of what build reports/RESULTS.md is, what differs, and whether values have moved; it says so on top
+	@.ci/record-status $(record) $(release)/bin/clustervo "$(MAKE) regression"
 
 # The page is also made where jobs failed, and says so.
 SUITE ?= ablation

@@ -52,7 +52,7 @@ std::vector<SourceFile> FilesThat(bool (*is_wanted)(const fs::path&), std::vecto
 std::vector<SourceFile> Sources() {
   return FilesThat(IsSource, {kTop / "CMakeLists.txt", kTop / "Makefile", kTop / ".ci/run",
                               kTop / ".ci/install-packages", kTop / ".ci/quote-record",
-                              kTop / ".ci/compare-record"});
+                              kTop / ".ci/compare-record", kTop / ".ci/record-status"});
 }
 
 std::vector<SourceFile> Documents() {
@@ -218,6 +218,36 @@ TEST(Record, TellsWhatHasMoved) {
   EXPECT_EQ(compared("mine", "| a | full | 0.200\\* (0.1..0.3) | 1.0 |\n| b | full | 1 | 1 |\n"),
             "mine: 0 of 2 values moved, 2 rows are in one of the two\n1\n");
   EXPECT_EQ(compared("none", rows), "none: not in the record\n1\n");
+}
+
+// A record of another build names its commits; the gate decides whether it still holds.
+TEST(Record, TellsOfWhatBuildItIs) {
+  const TempFolder folder;
+  const std::string at = folder.path().string();
+  const auto state = [&](const std::string& gate, const std::string& made) {
+    const std::string command = StrCat("cd ", at, " && ", (kTop / ".ci/record-status").string(),
+                                       " record ./program '", gate, "' ", made, " > said");
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    std::string said = ReadFile(folder.path() / "said");
+    EXPECT_THAT(ReadFile(folder.path() / "record"),
+                HasSubstr("# Results\n\n" + said + "\nText.\n"));
+    std::replace(said.begin(), said.end(), '\n', ' ');
+    return said;
+  };
+  const auto program = [&](const std::string& build) {
+    folder.Write("program",
+                 "#!/bin/sh\necho 'build      " + build + "01'\necho 'commit     abcdef0123'\n");
+    fs::permissions(folder.path() / "program", fs::perms::owner_all);
+  };
+  folder.Write("record", "# Results\n\nText.\n\n## a\n\n2 runs; build 111111111111\n");
+  program("111111111111");
+  EXPECT_EQ(state("false", "made"),
+            "**Record:** build 111111111111, commit abcdef01. "
+            "The sources beside it are of this build. ");
+  program("222222222222");
+  EXPECT_THAT(state("true", ""), HasSubstr("are of build 222222222222, by commits not known here"));
+  EXPECT_THAT(state("false", ""), HasSubstr("values have moved, make record."));
+  EXPECT_THAT(state("true", "made"), HasSubstr("Of another build: a (111111111111)."));
 }
 
 }  // namespace
