@@ -137,7 +137,7 @@ class SuiteRun {
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(MakeEngine(flags, suite_, folder_)) {
-    RemoveTemporaries(folder_.root, "plan.json");  // of killed runs; others write here as well
+    RemoveTemporariesOf(folder_.plan());  // of killed runs; others write here as well
     if (!flags.is_sweep()) return;
     WriteFilesAtomically(folder_.root, {{"suite.json", DumpJson(suite_.definition)}});
   }
@@ -246,6 +246,7 @@ class SuiteRun {
       throw Error(
           StrCat(plan.suite.name, ": found no sequence, expected at least one below --data"));
     }
+    std::cout << "next: clustervo experiment table " << ShellWord(flags_.output) << '\n';
     if (outcome.failed == 0) return 0;
     PrintNotice(StrCat(outcome.failed, " of ", plan.jobs.size(),
                        " jobs failed; the same command tries them again"));
