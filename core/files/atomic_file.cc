@@ -78,12 +78,11 @@ namespace {
 constexpr std::string_view kMark = ".tmp-";
 constexpr std::size_t kDigits = 16;
 constexpr std::string_view kHex = "0123456789abcdef";
-constexpr std::chrono::hours kMaxAge(24);  // no write takes that long
 
-bool IsOld(const fs::path& path) {
+bool IsOld(const fs::path& path) {  // no write takes a day
   std::error_code gone;
   const fs::file_time_type written = fs::last_write_time(path, gone);
-  return !gone && fs::file_time_type::clock::now() - written > kMaxAge;
+  return !gone && fs::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
 void RemoveWhere(const fs::path& folder, const std::function<bool(const fs::path&)>& goes) {
