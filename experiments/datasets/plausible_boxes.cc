@@ -135,7 +135,7 @@ double Difference(const BoxesByFrame& boxes, bool next) {
 }
 
 // Finds boxes of other frames than the images. Moved as the corners in them move, they share less
-// with the boxes of a later frame than unmoved, or little; or all frames differ about as much.
+// with the boxes of a later frame than unmoved; or all frames differ about as much.
 void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, BoxesByFrame& boxes,
                      std::vector<std::string>& lines) {
   constexpr std::size_t kFewest = 12, kFewestCorners = 3;
@@ -161,8 +161,9 @@ void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, Box
   }
   if (shared.size() < kFewest) return;
   const double near = Difference(boxes, true), far = Difference(boxes, false);
-  const bool mixed = MeanOf(moves) > kLeastMove && far > kLeastFar && near > kMostNear * far;
-  if (Median(shared) >= kLeastShared && Median(gains) >= -kMostLost && !mixed) return;
+  const bool moving = MeanOf(moves) > kLeastMove || Median(shared) < kLeastShared;
+  const bool mixed = moving && far > kLeastFar && near > kMostNear * far;
+  if (Median(gains) >= -kMostLost && !mixed) return;
   lines.push_back(StrCat(what, ": boxes that follow the images share ",
                          FormatFixed(100.0 * Median(shared), 0), " % with those of later frames, ",
                          FormatFixed(100.0 * (1.0 - near), 0), " % unmoved with the next, ",
