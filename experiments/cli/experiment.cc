@@ -246,7 +246,6 @@ class SuiteRun {
       throw Error(
           StrCat(plan.suite.name, ": found no sequence, expected at least one below --data"));
     }
-    std::cout << "next: clustervo experiment table " << ShellWord(flags_.output) << '\n';
     if (outcome.failed == 0) return 0;
     PrintNotice(StrCat(outcome.failed, " of ", plan.jobs.size(),
                        " jobs failed; the same command tries them again"));
