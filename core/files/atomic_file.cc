@@ -78,12 +78,11 @@ namespace {
 constexpr std::string_view kMark = ".tmp-";
 constexpr std::size_t kDigits = 16;
 constexpr std::string_view kHex = "0123456789abcdef";
-constexpr std::chrono::hours kMaxAge(24);  // no write takes that long
 
-bool IsOld(const fs::path& path) {
+bool IsOld(const fs::path& path) {  // no write takes a day
   std::error_code gone;
   const fs::file_time_type written = fs::last_write_time(path, gone);
-  return !gone && fs::file_time_type::clock::now() - written > kMaxAge;
+  return !gone && fs::file_time_type::clock::now() - written > std::chrono::hours(24);
 }
 
 void RemoveWhere(const fs::path& folder, const std::function<bool(const fs::path&)>& goes) {
@@ -145,10 +144,13 @@ void RemoveLeftovers(const fs::path& folder) {
   RemoveWhere(folder, [](const fs::path& path) { return IsTemporary(path) && IsOld(path); });
 }
 
-void RemoveTemporaries(const fs::path& folder, const std::string& target) {
-  RemoveWhere(folder, [begin = "." + target](const fs::path& path) {
-    return IsTemporary(path) && path.filename().string().starts_with(begin);
-  });
+void RemoveTemporaries(const fs::path& folder) { RemoveWhere(folder, IsTemporary); }
+
+void RemoveTemporariesOf(const fs::path& target) {
+  RemoveWhere(target.parent_path(),
+              [begin = StrCat(".", target.filename().string())](const auto& path) {
+                return IsTemporary(path) && path.filename().string().starts_with(begin);
+              });
 }
 
 std::string HostName() {
@@ -260,12 +262,9 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& name
     const fs::file_status status = fs::symlink_status(path, error);
     if (fs::is_directory(status) != wanted && fs::exists(status)) {
       // Old files in the folder will be removed; behind a link, they would belong to someone else.
-      const bool link = wanted && fs::is_symlink(status);
-      ThrowError(path.string(),
-                 link     ? "a link"
-                 : wanted ? "a file"
-                          : "a folder",
-                 wanted ? "a folder or nothing" : "a file or nothing");
+      if (!wanted) ThrowError(path.string(), "a folder", "a file or nothing");
+      ThrowError(path.string(), fs::is_symlink(status) ? "a link" : "a file",
+                 "a folder or nothing");
     }
     if (fs::is_other(fs::status(path, error))) {
       ThrowError(path.string(), "a pipe or a device", "a file or nothing");

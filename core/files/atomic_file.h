@@ -57,8 +57,9 @@ bool IsTemporary(const std::filesystem::path& file);
 // throws.
 void RemoveLeftovers(const std::filesystem::path& folder);
 
-// Removes all temporaries in a folder, or those of one target. Only for their only writer.
-void RemoveTemporaries(const std::filesystem::path& folder, const std::string& target = "");
+// Remove all temporaries in a folder, or those of one file. Only for their only writer.
+void RemoveTemporaries(const std::filesystem::path& folder);
+void RemoveTemporariesOf(const std::filesystem::path& target);
 
 // Name of this machine; "unknown" if it cannot be determined.
 std::string HostName();

@@ -137,7 +137,7 @@ class SuiteRun {
         folder_{fs::absolute(output_.path())},
         lock_(folder_.lock()),
         engine_(MakeEngine(flags, suite_, folder_)) {
-    RemoveTemporaries(folder_.root, "plan.json");  // of killed runs; others write here as well
+    RemoveTemporariesOf(folder_.plan());  // of killed runs; others write here as well
     if (!flags.is_sweep()) return;
     WriteFilesAtomically(folder_.root, {{"suite.json", DumpJson(suite_.definition)}});
   }

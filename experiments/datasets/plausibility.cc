@@ -42,15 +42,6 @@ void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines
                          " m are usual"));
 }
 
-std::vector<double> StepsOf(const Sequence& sequence) {
-  std::vector<double> steps_s;
-  for (std::size_t i = 1; i < sequence.timestamps_ns.size(); ++i) {
-    steps_s.push_back(
-        1e-9 * static_cast<double>(sequence.timestamps_ns[i] - sequence.timestamps_ns[i - 1]));
-  }
-  return steps_s;
-}
-
 void FindSlowRate(const std::vector<double>& steps_s, std::vector<std::string>& lines) {
   constexpr double kLongest_s = 1.0;
   const double step_s = Median(steps_s);
@@ -123,16 +114,6 @@ void FindUnusable(const char* what, const std::vector<ObjectBox>& boxes,
   }
 }
 
-double Overlap(const ObjectBox& a, const ObjectBox& b) {
-  const auto area = [](double width_px, double height_px) {
-    return std::max(0.0, width_px) * std::max(0.0, height_px);
-  };
-  const double common = area(std::min(a.right_px, b.right_px) - std::max(a.left_px, b.left_px),
-                             std::min(a.bottom_px, b.bottom_px) - std::max(a.top_px, b.top_px));
-  return common / (area(a.right_px - a.left_px, a.bottom_px - a.top_px) +
-                   area(b.right_px - b.left_px, b.bottom_px - b.top_px) - common);
-}
-
 // Finds detections that are elsewhere than the labels of their class.
 void FindElsewhere(const Sequence& sequence, std::vector<std::string>& lines) {
   constexpr double kLeastOverlap = 0.3;
@@ -145,8 +126,10 @@ void FindElsewhere(const Sequence& sequence, std::vector<std::string>& lines) {
     detections[{box.frame, box.type}].push_back(&box);
     classes.insert(box.type);
   }
-  std::size_t labels = 0;
-  std::size_t found = 0;
+  const auto in_image = [](const ObjectBox& box) {
+    return ImageBox{box.left_px, box.top_px, box.right_px, box.bottom_px};
+  };
+  std::size_t labels = 0, found = 0;
   for (const ObjectBox& label : sequence.labels) {
     if (!classes.contains(label.type) || label.occlusion > 0 || label.truncation > 0.0 ||
         label.bottom_px - label.top_px < kLeastHeight_px) {
@@ -154,7 +137,7 @@ void FindElsewhere(const Sequence& sequence, std::vector<std::string>& lines) {
     }
     ++labels;
     found += std::ranges::any_of(detections[{label.frame, label.type}], [&](const auto* box) {
-      return Overlap(*box, label) >= kLeastOverlap;
+      return IntersectionOverUnion(in_image(*box), in_image(label)) >= kLeastOverlap;
     });
   }
   if (labels < kFewest || static_cast<double>(found) >= kLeast * static_cast<double>(labels))
@@ -292,9 +275,18 @@ void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
 
 }  // namespace
 
+std::vector<double> TimeSteps(const Sequence& sequence) {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < sequence.timestamps_ns.size(); ++i) {
+    steps_s.push_back(
+        1e-9 * static_cast<double>(sequence.timestamps_ns[i] - sequence.timestamps_ns[i - 1]));
+  }
+  return steps_s;
+}
+
 void RefuseImpossible(const Sequence& sequence) {
   constexpr double kShortest_s = 0.001;
-  const std::vector<double> steps_s = StepsOf(sequence);
+  const std::vector<double> steps_s = TimeSteps(sequence);
   if (!steps_s.empty() && Median(steps_s) < kShortest_s) {
     ThrowError(sequence.folder.string() + ", times",
                StrCat("a median of ", Median(steps_s), " s per frame"),
@@ -323,7 +315,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
   if (static_cast<double>(repeated) > kMostRepeated * static_cast<double>(frames)) {
     lines.push_back(StrCat("images: ", repeated, " of ", frames, " frames repeat the one before"));
   }
-  const std::vector<double> steps_s = StepsOf(sequence);
+  const std::vector<double> steps_s = TimeSteps(sequence);
   if (steps_s.empty()) return lines;
   FindSlowRate(steps_s, lines);
   FindGaps(sequence, steps_s, lines);

@@ -26,6 +26,9 @@ struct PairCheck {
 // Checks the middle frame of the sequence. Empty if it cannot be decoded or has too few matches.
 std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence);
 
+// The time from each frame to the next.
+std::vector<double> TimeSteps(const Sequence& sequence);
+
 // Throws Error for what cannot be: more than 1000 frames per second, boxes in parts of the image.
 void RefuseImpossible(const Sequence& sequence);
 
@@ -36,9 +39,12 @@ void RefuseImpossible(const Sequence& sequence);
 std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0);
 
 // What the images of a frame show: pixels of the left one with their disparities (third, px).
+// Corners of it are elsewhere in the left image of a later frame.
 struct SeenFrame {
   int frame = 0;
   std::vector<Eigen::Vector3d> points;
+  int later = 0;
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> moves;  // from, to
 };
 
 // Adds what tells that boxes are elsewhere than the bodies in the images.

@@ -35,7 +35,7 @@ std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence&
   const std::string hash = Sha256Hex(ReadFileBytes(rendered / "scene.json"));
   if (hash == trajectory.scene_hash) return "";
   return StrCat("ran on a scene.json of SHA-256 ", trajectory.scene_hash.substr(0, 8), ", not ",
-                hash.substr(0, 8), ": the scene has changed, or the seed is not 1");
+                hash.substr(0, 8));
 }
 
 }  // namespace

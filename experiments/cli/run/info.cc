@@ -27,26 +27,6 @@ struct InfoFlags {
   bool quiet = false;
 };
 
-struct Rate {
-  double duration_s = 0.0;
-  double median_hz = 0.0;
-  double longest_gap_s = 0.0;
-};
-
-Rate RateOf(const std::vector<std::int64_t>& timestamps_ns) {
-  Rate rate;
-  if (timestamps_ns.size() < 2) return rate;
-  std::vector<double> gaps_s;
-  for (std::size_t i = 1; i < timestamps_ns.size(); ++i) {
-    gaps_s.push_back(1e-9 * static_cast<double>(timestamps_ns[i] - timestamps_ns[i - 1]));
-  }
-  std::sort(gaps_s.begin(), gaps_s.end());
-  rate.duration_s = 1e-9 * static_cast<double>(timestamps_ns.back() - timestamps_ns.front());
-  rate.median_hz = 1.0 / gaps_s[gaps_s.size() / 2];
-  rate.longest_gap_s = gaps_s.back();
-  return rate;
-}
-
 std::ptrdiff_t FramesWithTruth(const Sequence& sequence) {
   const auto& truth = sequence.groundtruth_world_from_camera;
   return std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !!pose; });
@@ -72,11 +52,15 @@ bool HasAssumedRate(const Sequence& sequence) {
 }
 
 std::string RateText(const Sequence& sequence) {
-  const Rate rate = RateOf(sequence.timestamps_ns);
-  return StrCat(ReadableNumber(rate.median_hz), " Hz",
+  std::vector<double> steps_s = TimeSteps(sequence);
+  double duration_s = 0.0;
+  for (const double step_s : steps_s) duration_s += step_s;
+  const double longest_s = steps_s.empty() ? 0.0 : *std::ranges::max_element(steps_s);
+  const double rate_hz = steps_s.empty() ? 0.0 : 1.0 / Median(std::move(steps_s));
+  return StrCat(ReadableNumber(rate_hz), " Hz",
                 HasAssumedRate(sequence) ? " (assumed: no timestamps were given)" : "",
-                ", duration ", ReadableNumber(rate.duration_s), " s, longest gap ",
-                ReadableNumber(rate.longest_gap_s), " s");
+                ", duration ", ReadableNumber(duration_s), " s, longest gap ",
+                ReadableNumber(longest_s), " s");
 }
 
 // In rectified images, corresponding points lie in the same row.

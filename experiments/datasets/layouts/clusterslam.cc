@@ -12,6 +12,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "core/files/text_file.h"
 #include "experiments/datasets/body_truth.h"
 #include "experiments/datasets/formats/data_rows.h"
@@ -158,10 +159,7 @@ double Drift(const std::vector<Seen>& all, const Poses& poses) {
     }
     before = &seen;
   }
-  if (drifts.empty()) return 0.0;
-  const auto middle = drifts.begin() + static_cast<std::ptrdiff_t>(drifts.size() / 2);
-  std::nth_element(drifts.begin(), middle, drifts.end());
-  return *middle;
+  return drifts.empty() ? 0.0 : Median(std::move(drifts));
 }
 
 // Either order gives unit quaternions, and sources disagree. The landmarks decide.

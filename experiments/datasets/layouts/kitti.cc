@@ -50,7 +50,7 @@ void AddOdometryTruth(Sequence& sequence) {
   sequence.other_files.push_back(path);
   const std::size_t frames = sequence.images.size();
   const auto of_images = OfImages(poses, path.string() + ": poses", sequence);
-  if (!of_images && sequence.first_frame > 0) {
+  if (poses.empty() || (!of_images && sequence.first_frame > 0)) {
     FailTooFew(path, StrCat(poses.size(), " poses"), sequence);
   }
   if (poses.size() < frames) {

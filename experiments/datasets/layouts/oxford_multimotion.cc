@@ -87,13 +87,12 @@ fs::path FindCalibration(const fs::path& segment, const std::string& name, const
              "the calibration of the data set there or in one of the two folders above");
 }
 
-std::vector<StereoPaths> ReadImages(const fs::path& stereo, Sequence& sequence) {
-  const fs::path list = stereo / "stereo.csv";
-  const DataRows rows(list, 3, "frame, time in seconds, nanoseconds");
-  sequence.other_files.push_back(list);
+void AddListedImages(const SequenceRequest& request, Sequence& sequence) {
+  const fs::path stereo = sequence.folder / "stereo";
+  const DataRows rows(stereo / "stereo.csv", 3, "frame, time in seconds, nanoseconds");
   std::vector<StereoPaths> pairs;
+  std::vector<std::int64_t> times_ns;
   std::optional<std::int64_t> last;
-  std::optional<std::int64_t> before_ns;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::int64_t number = rows.Integer(i, 0);
     if (number < 0 || number > 999'999 || (last && number != *last + 1)) {
@@ -103,19 +102,20 @@ std::vector<StereoPaths> ReadImages(const fs::path& stereo, Sequence& sequence) 
     }
     last = number;
     const std::int64_t time_ns = rows.SecondsAndNs(i, 1);
-    CheckLater(rows, i, time_ns, before_ns, "the images");
-    before_ns = time_ns;
-    sequence.timestamps_ns.push_back(time_ns);
+    CheckLater(rows, i, time_ns, i > 0 ? std::optional(times_ns.back()) : std::nullopt,
+               "the images");
+    times_ns.push_back(time_ns);
     std::array<char, 16> digits{};
     std::snprintf(digits.data(), digits.size(), "%06d", static_cast<int>(number));
-    const StereoPaths pair = {stereo / StrCat(digits.data(), "_left.png"),
-                              stereo / StrCat(digits.data(), "_right.png")};
-    for (const fs::path& file : {pair.left, pair.right}) {
-      if (!fs::is_regular_file(file)) rows.Fail(i, "no image " + file.string(), "both");
-    }
-    pairs.push_back(pair);
+    pairs.push_back({stereo / StrCat(digits.data(), "_left.png"),
+                     stereo / StrCat(digits.data(), "_right.png")});
   }
-  return pairs;
+  // The rows after the last image are left out, as of a part of the recording.
+  while (pairs.size() > 1 && !fs::exists(pairs.back().left) && !fs::exists(pairs.back().right)) {
+    pairs.pop_back();
+  }
+  AddPair(request, "colour", CheckedImages(std::move(pairs)), sequence);
+  AddTimes(stereo / "stereo.csv", std::move(times_ns), sequence);
 }
 
 // Reads world_from_object of all objects, whose rows are interleaved. Checks the quaternion against
@@ -203,8 +203,7 @@ void AddMultimotionTruth(const MultimotionSettings& settings, Sequence& sequence
 
 void ReadMultimotion(const SequenceRequest& request, Sequence& sequence) {
   const auto settings = LayoutSettings<MultimotionSettings>(request);
-  AddPair(request, "colour", CheckedImages(ReadImages(request.folder / "stereo", sequence)),
-          sequence);
+  AddListedImages(request, sequence);
   const fs::path calibration = FindCalibration(request.folder, settings.calibration, "kalibr");
   AddRig(ReadKalibrRig(calibration, settings.left, settings.right), calibration, sequence);
   AddMultimotionTruth(settings, sequence);

@@ -227,6 +227,7 @@ TEST(BadOdometry, Files) {
        {{{"times.txt", "0.0\n0.1\n0.1\n"}}, "times.txt:3 | time 0.1 | one after 0.1"},
        {{{"times.txt", "0.0\n0.1s\n0.2\n"}}, "times.txt:2 | \"0.1s\" | a time"},
        {{{"times.txt", "0.0\n0.1 0.2\n"}}, "times.txt:2 | 2 columns | 1, as in the first row"},
+       {{{"../../poses/06.txt", "\n"}}, "poses/06.txt | 0 poses | 3, as many as images"},
        {{{"../../poses/06.txt", row + "1 0 0 0 0 1 0"}},
         "poses/06.txt:2 | 7 columns in a last line without | 12 columns"}});
 }

@@ -177,6 +177,8 @@ TEST_F(Boxes, RefusesBadRows) {
               HasSubstr("found frame -1"));
   EXPECT_THAT(DetectionError("10 -1 Car -1 -1 -10 1 2 3 4 -1 -1 -1 -1 -1 -1 -10 0.5\n"),
               AllOf(HasSubstr("found frame 10"), HasSubstr("0 to 9")));
+  EXPECT_THAT(DetectionError("0 -1 Car -1 -1 -10 1 2 3 4 1.5 0 4 1 1 9 0 0.5\n"),
+              AllOf(HasSubstr("found a body of 0 m"), HasSubstr("above 0")));
 }
 
 TEST_F(Boxes, ShiftIsTheDisparityOfTheOffset) {

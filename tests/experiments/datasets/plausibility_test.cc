@@ -256,6 +256,33 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
   }
 }
 
+// A box that moves to the right by 8 px in each frame, as the corners in it do.
+TEST(Plausibility, ComparesBoxesWithThoseOfOtherFrames) {
+  const auto lines = [](const std::function<int(int)>& place_of) {
+    std::vector<ObjectBox> boxes(20);
+    std::vector<SeenFrame> frames(19);
+    for (int i = 0; i < 20; ++i) {
+      ObjectBox& box = boxes[static_cast<std::size_t>(i)];
+      box.type = "Car";
+      box.frame = i;
+      box.left_px = 8.0 * place_of(i), box.right_px = box.left_px + 50.0;
+      box.top_px = 100.0, box.bottom_px = 150.0;
+      if (i == 19) break;
+      SeenFrame& seen = frames[static_cast<std::size_t>(i)];
+      seen.frame = i, seen.later = i + 1;
+      for (double x = 0.0; x < 500.0; x += 10.0)
+        seen.moves.push_back({{x, 120.0}, {x + 8.0, 120.0}});
+    }
+    std::vector<std::string> found;
+    FindMisplaced({}, frames, "detections", boxes, found);
+    return found;
+  };
+  EXPECT_THAT(lines([](int i) { return i; }), IsEmpty());
+  const auto told = ElementsAre(HasSubstr("detections: boxes that follow the images share "));
+  EXPECT_THAT(lines([](int i) { return 19 - i; }), told);
+  EXPECT_THAT(lines([](int i) { return 7 * i % 20; }), told);
+}
+
 // A floor that is nearer the lower it is seen, and a body that stands on it on the left.
 TEST(Plausibility, ComparesBoxesWithDepths) {
   Sequence good;

@@ -187,8 +187,7 @@ TEST(ShippedTrajectories, OfOtherImagesAreStaleAndNoFailedJobs) {
     return ErrorMessage([&] { SystemFilesOf(plan.suite, plan.jobs[0], "", folder.path()); });
   };
   EXPECT_THAT(message(PlanOfShipped("ORB-SLAM2", "indoor_1", "all", folder, 2)),
-              AllOf(StartsWith("stale: ORB-SLAM2 on indoor_1 ran on a scene.json of SHA-256 82b2"),
-                    HasSubstr("the seed is not 1")));
+              StartsWith("stale: ORB-SLAM2 on indoor_1 ran on a scene.json of SHA-256 82b2"));
   EXPECT_THAT(message(PlanOfShipped("ORB-SLAM2", "indoor_1", "0:5", folder)),
               HasSubstr("frames all, not 0:5"));
   Plan plan = PlanOfShipped("ORB-SLAM2", "indoor_1", "all", folder);

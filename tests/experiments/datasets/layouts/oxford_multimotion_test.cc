@@ -175,9 +175,6 @@ TEST_F(MultimotionFiles, BadRowsAreRefusedWithFileAndRow) {
   const std::string list = "swinging_4/stereo/stereo.csv";
   const std::string vicon = "swinging_4/vicon.csv";
   const std::string calibration = "kalibr_2019_06_14.yaml";
-  const auto append = [](const fs::path& file) {
-    WriteFileBytes(file, test::ReadFile(file) + "3,1560510009,0\n");
-  };
   const auto expect = [&](const std::string& file, const test::Edit& edit,
                           const std::string& says) {
     test::ExpectRefused({.folder = segment_, .layout = settings_}, folder_.path() / file, edit,
@@ -191,7 +188,6 @@ TEST_F(MultimotionFiles, BadRowsAreRefusedWithFileAndRow) {
                        NumbersText({q.w(), q.x(), q.y(), q.z()}, ",")),
          "vicon.csv:2: found a quaternion | x y z w");
   expect(list, test::DropRow(3), "stereo.csv:3: found frame 2 | frame 1");
-  expect(list, append, "stereo.csv:5: found no image | 000003_left.png");
   expect(list, test::Replace("1,1560510001,100000000", "1,1560510001,000000000"),
          "stereo.csv:3: found time | one after");
   expect(
@@ -201,6 +197,15 @@ TEST_F(MultimotionFiles, BadRowsAreRefusedWithFileAndRow) {
   expect(calibration, test::Replace(", -0.1]", ", 0.1]"), "left and right may be swapped");
   settings_["right"] = "cam2";
   EXPECT_THAT(Refused(), HasSubstr("a chain states each camera by the one before"));
+}
+
+TEST_F(MultimotionFiles, APartOfTheImagesHasTheirTimes) {
+  fs::remove(segment_ / "stereo/000002_left.png");
+  EXPECT_THAT(Refused(), HasSubstr("000002_left.png"));
+  fs::remove(segment_ / "stereo/000002_right.png");
+  EXPECT_THAT(Open().notes, ElementsAre(HasSubstr("stereo.csv: times: 3 for 2 images")));
+  fs::remove(segment_ / "stereo/000000_left.png");
+  EXPECT_THAT(Refused(), HasSubstr("000000_left.png"));
 }
 
 TEST_F(MultimotionFiles, ReportsMissingInput) {
