@@ -355,11 +355,4 @@ struct OwnSchur {
   }
 };
 
-// Minimises a cluster's energy in place, with the motion prior of a policy.
-template <MotionPriorPolicy MotionPrior, typename Solver = OwnSchur>
-SolverSummary SolveCluster(const NoiseOptions& noise, const SolverOptions& options,
-                           const MotionPriorOptions& motion, ClusterProblem& problem) {
-  return Solver::Solve(noise, options, StepsOfPrior<MotionPrior>(motion, problem), problem);
-}
-
 }  // namespace cvo

@@ -167,53 +167,58 @@ void Predict(const StereoCamera& camera, const RigidTransform& later_from_camera
   sample.error = errors[errors.size() / 4];
 }
 
+// Looks at frame i, and at one that is apart[0] frames later; at apart[1] if too little moves.
+Sample SampleFrame(const Sequence& sequence, std::size_t i,
+                   const std::array<std::size_t, 2>& apart) {
+  constexpr std::size_t kMany = 200;  // corners
+  constexpr double kDark = 64.0;
+  const auto& truth = sequence.groundtruth_world_from_camera;
+  Sample sample;
+  sample.seen.frame = sequence.first_frame + static_cast<int>(i);
+  const SeenImage left = See(sequence, i, 0);
+  const SeenImage right = See(sequence, i, 1);
+  const std::vector<const OrbKeypoint*> partners = MatchAnywhere(left.corners, right.corners);
+  sample.dark = !left.small.empty() && (left.corners.empty() || left.brightest < kDark);
+  sample.rich = left.corners.size() >= kMany;
+  sample.pair = CheckPair(left.corners, partners);
+  if (!sequence.detections.empty() || !sequence.labels.empty()) {
+    const double scale = static_cast<double>(left.small.cols) / sequence.camera.width_px;
+    sample.seen.points = DisparitiesOf(left.small, right.small, scale);
+  }
+  if (sample.pair && sample.pair->disparity_px > 0.0) {
+    sample.depth_m = sequence.camera.fx * sequence.camera.baseline_m / sample.pair->disparity_px;
+  }
+  for (const bool first : {true, false}) {
+    const std::size_t then = i + apart[first ? 0 : 1];
+    if (sample.error || then >= sequence.images.size()) break;
+    const Corners corners = See(sequence, then, 0).corners;
+    const std::vector<const OrbKeypoint*> later = MatchAnywhere(left.corners, corners);
+    if (first) sample.seen.later = sequence.first_frame + static_cast<int>(then);
+    for (std::size_t c = 0; first && c < later.size(); ++c) {
+      if (later[c]) sample.seen.moves.emplace_back(PixelOf(left.corners[c]), PixelOf(*later[c]));
+    }
+    if (!truth[i] || !truth[then]) break;
+    const RigidTransform later_from_camera = truth[then]->Inverse() * *truth[i];
+    Predict(sequence.camera, later_from_camera, first, left.corners, partners, later, sample);
+    sample.still = truth[then]->Minus(*truth[i]).norm() == 0.0;
+  }
+  return sample;
+}
+
 // Of a few frames over the sequence, each compared with the one a tenth of a second later, or half
 // a second where the camera moves slowly.
 std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
-  constexpr std::size_t kSamples = 10, kMany = 200;  // corners
-  constexpr double kDark = 64.0;
-  const std::size_t frames = sequence.images.size();
+  constexpr std::size_t kSamples = 10;
   const auto frames_in = [&](double time_s) {
     return static_cast<std::size_t>(std::max(1.0, std::round(time_s / step_s)));
   };
-  const auto& truth = sequence.groundtruth_world_from_camera;
-  const bool boxes = !sequence.detections.empty() || !sequence.labels.empty();
+  const std::array apart = {frames_in(0.1), frames_in(0.5)};
   std::vector<Sample> samples;
-  for (std::size_t k = 0; k < kSamples && frames > frames_in(0.1); ++k) {
-    const std::size_t last = frames - 1 - frames_in(0.1);
+  for (std::size_t k = 0; k < kSamples && sequence.images.size() > apart[0]; ++k) {
+    const std::size_t last = sequence.images.size() - 1 - apart[0];
     const std::size_t i = k * last / (kSamples - 1);
     if (k > 0 && i == (k - 1) * last / (kSamples - 1)) continue;
-    Sample sample;
-    sample.seen.frame = sequence.first_frame + static_cast<int>(i);
-    const SeenImage left = See(sequence, i, 0);
-    const SeenImage right = See(sequence, i, 1);
-    const std::vector<const OrbKeypoint*> partners = MatchAnywhere(left.corners, right.corners);
-    sample.dark = !left.small.empty() && (left.corners.empty() || left.brightest < kDark);
-    sample.rich = left.corners.size() >= kMany;
-    sample.pair = CheckPair(left.corners, partners);
-    if (boxes) {
-      const double scale = static_cast<double>(left.small.cols) / sequence.camera.width_px;
-      sample.seen.points = DisparitiesOf(left.small, right.small, scale);
-    }
-    if (sample.pair && sample.pair->disparity_px > 0.0) {
-      sample.depth_m = sequence.camera.fx * sequence.camera.baseline_m / sample.pair->disparity_px;
-    }
-    for (const double apart_s : {0.1, 0.5}) {
-      const bool first = apart_s == 0.1;
-      const std::size_t then = i + frames_in(apart_s);
-      if (sample.error || then >= frames) break;
-      const Corners corners = See(sequence, then, 0).corners;
-      const std::vector<const OrbKeypoint*> later = MatchAnywhere(left.corners, corners);
-      if (first) sample.seen.later = sequence.first_frame + static_cast<int>(then);
-      for (std::size_t c = 0; first && c < later.size(); ++c) {
-        if (later[c]) sample.seen.moves.emplace_back(PixelOf(left.corners[c]), PixelOf(*later[c]));
-      }
-      if (!truth[i] || !truth[then]) break;
-      const RigidTransform later_from_camera = truth[then]->Inverse() * *truth[i];
-      Predict(sequence.camera, later_from_camera, first, left.corners, partners, later, sample);
-      sample.still = truth[then]->Minus(*truth[i]).norm() == 0.0;
-    }
-    samples.push_back(std::move(sample));
+    samples.push_back(SampleFrame(sequence, i, apart));
   }
   return samples;
 }

@@ -41,20 +41,27 @@ const Difference* DrawnDifference(const Table& table, const Row& row, std::size_
   return drawn ? &*difference : nullptr;
 }
 
+Shown ShownValues(const Table& table, std::size_t column) {
+  double largest = 0.0;
+  for (const Row& row : table.rows) {
+    largest = std::max(largest, std::abs(row.cells[column].value.value_or(0.0)));
+  }
+  return ShownAs(table.columns[column], largest);
+}
+
 // One row per row of the table. Significant differences are coloured, the others grey.
 Panel DifferencePanel(const Table& table, const std::vector<const Row*>& rows, std::size_t at) {
   const Column& column = table.columns[at];
   const MetricEntry* entry = FindEntry(column.metric);
   double largest = 0.0;
-  double largest_value = 0.0;
   for (const Row* row : rows) {
     const Difference* difference = DrawnDifference(table, *row, at);
     if (difference == nullptr) continue;
     largest = std::max(
         {largest, std::abs(difference->interval->low), std::abs(difference->interval->high)});
-    largest_value = std::max(largest_value, std::abs(difference->value));
   }
   const Shown shown = ShownAs(column, largest);
+  const Shown of_value = ShownValues(table, at);
   Panel panel;
   panel.title = StrCat(column.label, shown.is_share       ? " (% points)"
                                      : shown.unit.empty() ? ""
@@ -78,7 +85,6 @@ Panel DifferencePanel(const Table& table, const std::vector<const Row*>& rows, s
         intervals.data.push_back({shown.scale * end, y});
       }
       intervals.data.push_back({kGap, kGap});
-      const Shown of_value = ShownAs(column, largest_value);
       points.data.push_back(
           {shown.scale * difference->difference, y,
            StrCat(panel.y.categories[i], ": ", of_value.Text(difference->value), " against ",
@@ -186,11 +192,7 @@ std::string OptionTitle(const std::string& path) {
 Panel CurvePanel(const SweptOption& option, const Table& table, std::size_t column,
                  const Palette& palette) {
   const Column& metric = table.columns[column];
-  double largest = 0.0;
-  for (const Row& row : table.rows) {
-    largest = std::max(largest, std::abs(row.cells[column].value.value_or(0.0)));
-  }
-  const Shown shown = ShownAs(metric, largest);
+  const Shown shown = ShownValues(table, column);
   Panel panel;
   panel.x.title = OptionTitle(option.path);
   if (option.log_spaced) panel.x = {panel.x.title, AxisScale::kLog, {}, option.values};
@@ -262,11 +264,7 @@ Figure ParetoFigure(const std::vector<SweptOption>& options, const Table& table,
   figure.chart.columns = 2;
   for (const std::size_t column : KeyColumns(table)) {
     if (column == cpu) continue;
-    double largest = 0.0;
-    for (const Row& row : table.rows) {
-      largest = std::max(largest, row.cells[column].value.value_or(0.0));
-    }
-    const Shown shown = ShownAs(table.columns[column], largest);
+    const Shown shown = ShownValues(table, column);
     Panel& panel = figure.chart.panels.emplace_back();
     panel.x.title = AxisTitle(table.columns[cpu], ShownAs(table.columns[cpu], 0.0));
     panel.y.title = AxisTitle(table.columns[column], shown);
@@ -307,16 +305,14 @@ void AddAblation(const SuiteData& data, SuiteFigures& figures) {
     }
   }
   // Another system that is twenty times worse would squeeze the rows that are compared.
-  const auto is_other_system = [&](const Row& row) {
-    return std::ranges::any_of(data.plan.runs, [&](const PlannedRun& run) {
-      return !run.system.empty() && std::ranges::count(row.keys, run.system) > 0;
-    });
-  };
+  std::set<std::string> systems;
+  for (const PlannedRun& run : data.plan.runs) systems.insert(run.system);
+  systems.erase("");
   for (const Row& row : table.rows) {
-    if (is_other_system(row)) continue;
-    if (std::ranges::any_of(columns, [&](std::size_t column) {
-          return DrawnDifference(table, row, column) != nullptr;
-        })) {
+    if (std::ranges::any_of(
+            columns,
+            [&](std::size_t column) { return DrawnDifference(table, row, column) != nullptr; }) &&
+        std::ranges::none_of(row.keys, [&](const auto& key) { return systems.contains(key); })) {
       rows.push_back(&row);
     }
   }

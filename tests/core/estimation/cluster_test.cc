@@ -12,6 +12,12 @@
 namespace cvo::cluster_test {
 namespace {
 
+template <typename MotionPrior>
+void SolveCluster(const NoiseOptions& noise, const SolverOptions& options,
+                  const MotionPriorOptions& motion, ClusterProblem& problem) {
+  SolveClusterSteps(noise, options, StepsOfPrior<MotionPrior>(motion, problem), problem);
+}
+
 const StereoCamera kCamera = test::CentredCamera(500, 0.5, 640, 480);
 const SolverOptions kToConvergence = {.iterations = 80, .function_tolerance = 1e-14};
 
