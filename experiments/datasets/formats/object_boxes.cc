@@ -42,9 +42,11 @@ ObjectBox ReadObject(const TextRow& row, std::size_t first) {
       {row.Number(first + 11), row.Number(first + 12), row.Number(first + 13)},
       row.Number(first + 14)};
   const double least_m = std::min({box3d.height_m, box3d.width_m, box3d.length_m});
-  if (least_m > 0.0) box.box3d = box3d;
-  if (least_m <= 0.0 && box3d.bottom_in_camera.z() > 0.0) {
-    row.Fail(StrCat("a body of ", least_m, " m in view"), "a size above 0 (-1000 m away: unknown)");
+  constexpr double kUnknown = -1.0;
+  if (least_m > 0.0) {
+    box.box3d = box3d;
+  } else if (least_m != kUnknown && box3d.bottom_in_camera.z() > 0.0) {
+    row.Fail(StrCat("a body of ", least_m, " m in view"), "a size above 0, or -1: unknown");
   }
   for (std::size_t i = first + kObjectColumns; i < row.size(); ++i) box.score = row.Number(i);
   return box;
