@@ -118,7 +118,7 @@ void FindUnusable(const char* what, const std::vector<ObjectBox>& boxes,
 void FindElsewhere(const Sequence& sequence, std::vector<std::string>& lines) {
   constexpr double kLeastOverlap = 0.3;
   constexpr double kLeastHeight_px = 40.0;
-  constexpr std::size_t kFewest = 10;
+  constexpr std::size_t kFewest = 20;
   constexpr double kLeast = 0.25;  // part of the labels
   std::map<std::pair<int, std::string>, std::vector<const ObjectBox*>> detections;
   std::set<std::string> classes;
@@ -135,8 +135,10 @@ void FindElsewhere(const Sequence& sequence, std::vector<std::string>& lines) {
         label.bottom_px - label.top_px < kLeastHeight_px) {
       continue;
     }
+    const auto& of_frame = detections[{label.frame, label.type}];
+    if (of_frame.empty()) continue;  // missed
     ++labels;
-    found += std::ranges::any_of(detections[{label.frame, label.type}], [&](const auto* box) {
+    found += std::ranges::any_of(of_frame, [&](const auto* box) {
       return IntersectionOverUnion(in_image(*box), in_image(label)) >= kLeastOverlap;
     });
   }
