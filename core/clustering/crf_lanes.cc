@@ -3,76 +3,123 @@
 #include "core/clustering/crf_lanes.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <cstdint>
+#include <cstring>
 #include <limits>
+
+#include "core/base/processor.h"
 
 namespace cvo {
 namespace {
 
-float ExpOrZero(float x, float lowest) { return x < lowest ? 0.0F : std::exp(x); }
+using Floats = CrfLanes::Values;
+using Ints [[gnu::vector_size(sizeof(Floats))]] = std::int32_t;
 
-void Fill(const CrfTilePoints& rows, const CrfTilePoints& columns, float scale, CrfTile& tile) {
-  for (int i = 0; i < kCrfTile; ++i) {
-    for (int j = 0; j < kCrfTile; ++j) {
-      const float dx = columns.x[j] - rows.x[i];
-      const float dy = columns.y[j] - rows.y[i];
-      const float dz = columns.z[j] - rows.z[i];
-      tile.k[i][j] = ExpOrZero(-scale * (dx * dx + dy * dy + dz * dz), kLowestCrfExponent);
-    }
+// Rows of the kernel matrix that are multiplied at a time: each element is loaded once for two
+// products, and the operands for this many rows just fit into 16 registers.
+constexpr int kRows = 6;
+static_assert(kCrfTile % kRows == 0 && kCrfTile % kCrfLanes == 0);
+
+[[gnu::always_inline]] inline Floats Max(const Floats& a, const Floats& b) { return a > b ? a : b; }
+
+// exp(x) for x in [-87, 0] with a relative error of 3e-7; 0 below `lowest`. Computed as 2^n times
+// the Taylor series of the remainder, whose magnitude is at most ln(2) / 2.
+[[gnu::always_inline]] inline Floats ExpOrZero(const Floats& x, float lowest) {
+  constexpr float kRounding = 12582912.0F;  // 1.5 * 2^23: once it is added, no fraction is left
+  const Floats kept = Max(x, Floats{} + lowest);
+  const Floats n = (kept * 1.44269504F + kRounding) - kRounding;
+  // ln 2 is split into two parts, such that n times the first one is exact.
+  const Floats r = (kept - n * 0.693359375F) + n * 2.12194440e-4F;
+  Floats sum = Floats{} + 1.0F / 5040.0F;
+  for (const float coefficient :
+       {1.0F / 720.0F, 1.0F / 120.0F, 1.0F / 24.0F, 1.0F / 6.0F, 0.5F, 1.0F, 1.0F}) {
+    sum = sum * r + coefficient;
   }
+  const Ints exponent = __builtin_convertvector(n, Ints) + 127;
+  return x < lowest ? Floats{} : sum * std::bit_cast<Floats>(exponent << 23);
 }
 
-void Multiply(const CrfTile& tile, const CrfLanes* q_rows, const CrfLanes* q_columns,
-              CrfLanes* message_rows, CrfLanes* message_columns) {
-  for (int i = 0; i < kCrfTile; ++i) {
-    CrfLanes sum = message_rows[i];
-    const CrfLanes q = q_rows[i];
-    for (int j = 0; j < kCrfTile; ++j) {
-      const float k = tile.k[i][j];
-      CrfLanes& message = message_columns[j];
-      for (int l = 0; l < kCrfLanes; ++l) sum.label[l] += k * q_columns[j].label[l];
-      for (int l = 0; l < kCrfLanes; ++l) message.label[l] += k * q.label[l];
-    }
-    message_rows[i] = sum;
-  }
+float Largest(const Floats& values) {
+  float largest = values[0];
+  for (int l = 1; l < kCrfLanes; ++l) largest = std::max(largest, values[l]);
+  return largest;
 }
 
-float UpdateNode(const CrfUpdate& u, int node) {
+// Updates one node. Returns the elementwise maximum of `change` and |next - q|.
+[[gnu::always_inline]] inline Floats UpdateNode(const CrfUpdate& u, int node, Floats change) {
   const std::ptrdiff_t end = u.blocks * u.stride + node;
-  float largest = -std::numeric_limits<float>::infinity();
+  Floats best = Floats{} - std::numeric_limits<float>::infinity();
   for (std::ptrdiff_t at = node; at < end; at += u.stride) {
-    for (int l = 0; l < kCrfLanes; ++l) {
-      u.next[at].label[l] = u.weight[node] * u.message[at].label[l] - u.energy[at].label[l];
-      largest = std::max(largest, u.next[at].label[l]);
-    }
+    u.next[at].label = u.weight[node] * u.message[at].label - u.energy[at].label;
+    best = Max(best, u.next[at].label);
+  }
+  const float largest = Largest(best);
+  Floats sums = {};
+  for (std::ptrdiff_t at = node; at < end; at += u.stride) {
+    u.next[at].label = ExpOrZero(u.next[at].label - largest, kLowestCrfLogit);
+    sums += u.next[at].label;
   }
   float sum = 0.0F;
+  for (int l = 0; l < kCrfLanes; ++l) sum += sums[l];
   for (std::ptrdiff_t at = node; at < end; at += u.stride) {
-    for (float& value : u.next[at].label) {
-      value = ExpOrZero(value - largest, kLowestCrfLogit);
-      sum += value;
-    }
-  }
-  float change = 0.0F;
-  for (std::ptrdiff_t at = node; at < end; at += u.stride) {
-    for (int l = 0; l < kCrfLanes; ++l) {
-      u.next[at].label[l] /= sum;
-      change = std::max(change, std::abs(u.next[at].label[l] - u.q[at].label[l]));
-    }
+    u.next[at].label *= 1.0F / sum;
+    const Floats moved = u.next[at].label - u.q[at].label;
+    change = Max(change, Max(moved, -moved));
   }
   return change;
 }
 
-float Update(const CrfUpdate& update) {
-  float change = 0.0F;
-  for (int node = 0; node < update.nodes; ++node) {
-    change = std::max(change, UpdateNode(update, node));
-  }
-  return change;
+[[gnu::always_inline]] inline Floats Load(const float* from) {
+  Floats values;
+  std::memcpy(&values, from, sizeof(values));
+  return values;
 }
 
 }  // namespace
 
-CrfLoops PlainCrfLoops() { return {Fill, Multiply, Update}; }
+CVO_FOR_EACH_PROCESSOR
+void FillTile(const CrfTilePoints& rows, const CrfTilePoints& columns, float scale, CrfTile& tile) {
+  for (int i = 0; i < kCrfTile; ++i) {
+    for (int j = 0; j < kCrfTile; j += kCrfLanes) {
+      const Floats dx = Load(columns.x + j) - rows.x[i];
+      const Floats dy = Load(columns.y + j) - rows.y[i];
+      const Floats dz = Load(columns.z + j) - rows.z[i];
+      const Floats k = ExpOrZero((dx * dx + dy * dy + dz * dz) * -scale, kLowestCrfExponent);
+      std::memcpy(tile.k[i] + j, &k, sizeof(k));
+    }
+  }
+}
+
+CVO_FOR_EACH_PROCESSOR
+void MultiplyTile(const CrfTile& tile, const CrfLanes* q_rows, const CrfLanes* q_columns,
+                  CrfLanes* message_rows, CrfLanes* message_columns) {
+  for (int first = 0; first < kCrfTile; first += kRows) {
+    Floats sums[kRows];
+    Floats q[kRows];
+    for (int r = 0; r < kRows; ++r) {
+      sums[r] = message_rows[first + r].label;
+      q[r] = q_rows[first + r].label;
+    }
+    for (int j = 0; j < kCrfTile; ++j) {
+      const Floats of_column = q_columns[j].label;
+      Floats message = message_columns[j].label;
+      for (int r = 0; r < kRows; ++r) {
+        const float k = tile.k[first + r][j];
+        sums[r] += k * of_column;
+        message += k * q[r];
+      }
+      message_columns[j].label = message;
+    }
+    for (int r = 0; r < kRows; ++r) message_rows[first + r].label = sums[r];
+  }
+}
+
+CVO_FOR_EACH_PROCESSOR
+float UpdateNodes(const CrfUpdate& update) {
+  Floats change = {};
+  for (int node = 0; node < update.nodes; ++node) change = UpdateNode(update, node, change);
+  return Largest(change);
+}
 
 }  // namespace cvo

@@ -13,7 +13,8 @@ inline constexpr int kCrfTile = 48;  // nodes per side of a tile of the kernel m
 // Values of eight labels of one node. A matrix of nodes by labels is stored as a sequence of blocks
 // of eight labels, each of which holds all nodes.
 struct alignas(32) CrfLanes {
-  float label[kCrfLanes];
+  using Values [[gnu::vector_size(kCrfLanes * sizeof(float))]] = float;
+  Values label;
 };
 
 struct alignas(32) CrfTilePoints {
@@ -45,20 +46,16 @@ struct CrfUpdate {
 inline constexpr float kLowestCrfExponent = -18.0F;  // of the kernel, at 6 bandwidths
 inline constexpr float kLowestCrfLogit = -80.0F;     // relative to a node's best label; Q = 0 below
 
-// The inner loops of inference for one kind of processor, in single precision. The exponentials of
-// the two implementations differ by at most 3e-7 of their value.
-struct CrfLoops {
-  // k[i][j] = exp(-|rows_i - columns_j|^2 * scale), 0 where the exponent is below -18.
-  void (*fill)(const CrfTilePoints& rows, const CrfTilePoints& columns, float scale, CrfTile& tile);
-  // message_rows += k * q_columns and message_columns += k^T * q_rows, over the nodes of a tile.
-  void (*multiply)(const CrfTile& tile, const CrfLanes* q_rows, const CrfLanes* q_columns,
-                   CrfLanes* message_rows, CrfLanes* message_columns);
-  // Returns the largest |next - q|.
-  float (*update)(const CrfUpdate& update);
-};
+// The inner loops of inference, in single precision and in a form that compilers vectorise for any
+// processor.
 
-CrfLoops PlainCrfLoops();
-// Returns the loops for AVX2 and FMA if the processor has both, otherwise the plain ones.
-CrfLoops FastCrfLoops();
+// k[i][j] = exp(-|rows_i - columns_j|^2 * scale), 0 where the exponent is below -18.
+void FillTile(const CrfTilePoints& rows, const CrfTilePoints& columns, float scale, CrfTile& tile);
+// message_rows += k * q_columns and message_columns += k^T * q_rows, over the nodes of a tile. The
+// messages may not overlap each other.
+void MultiplyTile(const CrfTile& tile, const CrfLanes* q_rows, const CrfLanes* q_columns,
+                  CrfLanes* message_rows, CrfLanes* message_columns);
+// Returns the largest |next - q|.
+float UpdateNodes(const CrfUpdate& update);
 
 }  // namespace cvo

@@ -100,10 +100,8 @@ void KeepUpperTriangle(CrfTile& tile) {
 class PairwiseTiles {
  public:
   // points: 3 x N, m, finite. `memory` holds the tiles and must outlive this object.
-  PairwiseTiles(const Eigen::Matrix3Xd& points, double bandwidth_m, const CrfLoops& loops,
-                CrfMemory& memory)
-      : loops_(loops),
-        order_(points.cols()),
+  PairwiseTiles(const Eigen::Matrix3Xd& points, double bandwidth_m, CrfMemory& memory)
+      : order_(points.cols()),
         degrees_(points.cols(), 0.0),
         padded_(static_cast<int>((points.cols() + kCrfTile - 1) / kCrfTile) * kCrfTile),
         tiles_(memory) {
@@ -130,16 +128,16 @@ class PairwiseTiles {
         const CrfLanes* q_rows = q + first + place.row;
         CrfLanes* message_rows = message + first + place.row;
         if (place.row != place.column) {
-          loops_.multiply(tiles_[t], q_rows, q + first + place.column, message_rows,
-                          message + first + place.column);
+          MultiplyTile(tiles_[t], q_rows, q + first + place.column, message_rows,
+                       message + first + place.column);
           continue;
         }
         // Rows and columns are the same nodes: messages to the columns need a buffer of their own,
         // or they would be overwritten.
         CrfLanes apart[kCrfTile] = {};
-        loops_.multiply(tiles_[t], q_rows, q_rows, message_rows, apart);
+        MultiplyTile(tiles_[t], q_rows, q_rows, message_rows, apart);
         for (int i = 0; i < kCrfTile; ++i) {
-          for (int l = 0; l < kCrfLanes; ++l) message_rows[i].label[l] += apart[i].label[l];
+          message_rows[i].label += apart[i].label;
         }
       }
     }
@@ -181,8 +179,8 @@ class PairwiseTiles {
         origin = BoxAround(points, row_nodes).center();
         rows = FromOrigin(points, row_nodes, origin);
       }
-      loops_.fill(rows, FromOrigin(points, NodesOfTile(order_, place.column), origin), scale,
-                  tiles_[t]);
+      FillTile(rows, FromOrigin(points, NodesOfTile(order_, place.column), origin), scale,
+               tiles_[t]);
       if (place.row == place.column) KeepUpperTriangle(tiles_[t]);
     }
   }
@@ -206,7 +204,6 @@ class PairwiseTiles {
     std::copy_n(sums.begin(), degrees_.size(), degrees_.begin());
   }
 
-  CrfLoops loops_;
   std::vector<int> order_;
   std::vector<double> degrees_;
   int padded_;
@@ -218,9 +215,8 @@ class PairwiseTiles {
 class MeanField {
  public:
   MeanField(const CrfMatrix& energies, const PairwiseTiles& tiles,
-            const std::vector<double>& scales, double alpha, const CrfLoops& loops)
+            const std::vector<double>& scales, double alpha)
       : tiles_(tiles),
-        loops_(loops),
         nodes_(static_cast<int>(energies.rows())),
         labels_(static_cast<int>(energies.cols())),
         blocks_((labels_ + kCrfLanes - 1) / kCrfLanes),
@@ -258,9 +254,8 @@ class MeanField {
 
  private:
   std::size_t Padded() const { return static_cast<std::size_t>(blocks_) * tiles_.padded(); }
-  float& At(std::vector<CrfLanes>& values, int node, int label) const {
-    return values[static_cast<std::size_t>(label / kCrfLanes) * tiles_.padded() + node]
-        .label[label % kCrfLanes];
+  CrfLanes::Values& Lanes(std::vector<CrfLanes>& values, int node, int label) const {
+    return values[static_cast<std::size_t>(label / kCrfLanes) * tiles_.padded() + node].label;
   }
 
   void Load(const CrfMatrix& energies) {
@@ -270,32 +265,26 @@ class MeanField {
       const int row = tiles_.order()[node];
       const double least = energies.row(row).minCoeff();
       for (int label = 0; label < labels_; ++label) {
-        At(energy_, node, label) =
+        Lanes(energy_, node, label)[label % kCrfLanes] =
             static_cast<float>(std::min(energies(row, label) - least, kLargestEnergy));
-        At(q_, node, label) = static_cast<float>(q(row, label));
+        Lanes(q_, node, label)[label % kCrfLanes] = static_cast<float>(q(row, label));
       }
     }
   }
 
-  static CrfLanes NoLabel() {
-    CrfLanes none;
-    std::fill_n(none.label, kCrfLanes, static_cast<float>(kLargestEnergy));
-    return none;
-  }
+  static CrfLanes NoLabel() { return {CrfLanes::Values{} + static_cast<float>(kLargestEnergy)}; }
 
   float Sweep() {
     for (int b = 0; b < blocks_; ++b) {
       const std::size_t first = static_cast<std::size_t>(b) * tiles_.padded();
       for (int node = 0; node < nodes_; ++node) {
-        for (int l = 0; l < kCrfLanes; ++l) {
-          scaled_[first + node].label[l] = scale_[node] * q_[first + node].label[l];
-        }
+        scaled_[first + node].label = scale_[node] * q_[first + node].label;
       }
     }
     std::fill(message_.begin(), message_.end(), CrfLanes{});
     tiles_.Multiply(scaled_.data(), blocks_, message_.data());
-    return loops_.update({nodes_, blocks_, tiles_.padded(), energy_.data(), message_.data(),
-                          weight_.data(), q_.data(), next_.data()});
+    return UpdateNodes({nodes_, blocks_, tiles_.padded(), energy_.data(), message_.data(),
+                        weight_.data(), q_.data(), next_.data()});
   }
 
   // Whether the step from Q to the next Q points back towards the previous one.
@@ -312,10 +301,7 @@ class MeanField {
 
   void Damp(float step) {
     for (std::size_t i = 0; i < q_.size(); ++i) {
-      for (int l = 0; l < kCrfLanes; ++l) {
-        const float q = q_[i].label[l];
-        next_[i].label[l] = q + step * (next_[i].label[l] - q);
-      }
+      next_[i].label = q_[i].label + step * (next_[i].label - q_[i].label);
     }
   }
 
@@ -323,14 +309,14 @@ class MeanField {
     CrfMatrix q(nodes_, labels_);
     for (int node = 0; node < nodes_; ++node) {
       auto row = q.row(tiles_.order()[node]);
-      for (int label = 0; label < labels_; ++label) row[label] = At(q_, node, label);
+      for (int label = 0; label < labels_; ++label)
+        row[label] = Lanes(q_, node, label)[label % kCrfLanes];
       row /= row.sum();
     }
     return q;
   }
 
   const PairwiseTiles& tiles_;
-  const CrfLoops& loops_;
   int nodes_;
   int labels_;
   int blocks_;
@@ -353,27 +339,25 @@ double RawGaussianKernel::Scale(double) { return 1.0; }
 
 template <typename Kernel>
 CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                        const PairwiseOptions& options, CrfMemory& memory, const CrfLoops& loops) {
+                        const PairwiseOptions& options, CrfMemory& memory) {
   CheckInput(energies, points);
   if constexpr (std::is_same_v<Kernel, NoPairwise>) {
     return {Softmax(energies), 0};
   } else {
-    const PairwiseTiles tiles(points, Kernel::BandwidthM(options), loops, memory);
+    const PairwiseTiles tiles(points, Kernel::BandwidthM(options), memory);
     std::vector<double> scales;
     for (const double degree : tiles.degrees()) scales.push_back(Kernel::Scale(degree));
-    return MeanField(energies, tiles, scales, options.alpha, loops).Run(options);
+    return MeanField(energies, tiles, scales, options.alpha).Run(options);
   }
 }
 
 template CrfResult InferDenseCrf<NormalizedGaussianKernel>(const CrfMatrix&,
                                                            const Eigen::Matrix3Xd&,
-                                                           const PairwiseOptions&, CrfMemory&,
-                                                           const CrfLoops&);
+                                                           const PairwiseOptions&, CrfMemory&);
 template CrfResult InferDenseCrf<RawGaussianKernel>(const CrfMatrix&, const Eigen::Matrix3Xd&,
-                                                    const PairwiseOptions&, CrfMemory&,
-                                                    const CrfLoops&);
+                                                    const PairwiseOptions&, CrfMemory&);
 template CrfResult InferDenseCrf<NoPairwise>(const CrfMatrix&, const Eigen::Matrix3Xd&,
-                                             const PairwiseOptions&, CrfMemory&, const CrfLoops&);
+                                             const PairwiseOptions&, CrfMemory&);
 
 std::vector<int> MostLikelyLabels(const CrfMatrix& q) {
   std::vector<int> labels(q.rows(), 0);

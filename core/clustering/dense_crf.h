@@ -143,11 +143,10 @@ struct NoPairwise {};
 // differ, a value is not finite, or there are nodes but no labels. k_ij = 0 beyond 6 bandwidths,
 // where it is below the rounding of float. With the default options, Q is within 1e-5 of the result
 // in double precision without this cutoff (raw kernel: 1e-3). Needs at most 2 N^2 + 40 N M bytes;
-// `memory` is reused from call to call; `loops` are
-// FastCrfLoops, except in tests.
+// `memory` is reused from call to call.
 template <typename Kernel>
 CrfResult InferDenseCrf(const CrfMatrix& energies, const Eigen::Matrix3Xd& points,
-                        const PairwiseOptions& options, CrfMemory& memory, const CrfLoops& loops);
+                        const PairwiseOptions& options, CrfMemory& memory);
 
 // Returns the most likely label of each node, the first one in case of a tie.
 std::vector<int> MostLikelyLabels(const CrfMatrix& q);

@@ -10,10 +10,7 @@ namespace cvo {
 // 256-bit binary descriptor (rBRIEF).
 using Descriptor = std::array<std::uint64_t, 4>;
 
-// Number of differing bits, 0 ... 256. Uses the POPCNT instruction if available.
+// Number of differing bits, 0 ... 256.
 int HammingDistance(const Descriptor& a, const Descriptor& b);
-
-// The same without POPCNT, as the reference in tests of the fast path.
-int HammingDistancePlain(const Descriptor& a, const Descriptor& b);
 
 }  // namespace cvo

@@ -6,10 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/features/cpu_level.h"
-#if defined(CVO_WITH_AVX2)
-#include <immintrin.h>
-#endif
+#include "core/base/processor.h"
 
 namespace cvo {
 namespace {
@@ -91,7 +88,8 @@ struct SlopeSums {
   Lanes one = {}, first = {}, second = {};
 };
 
-[[gnu::always_inline]] inline SlopeSums SumSlopes(const Reference& r) {
+CVO_FOR_EACH_PROCESSOR
+SlopeSums SumSlopes(const Reference& r) {
   SlopeSums s;
   for (int i = 0; i < kSide; ++i) {
     const float y = r.y[i];
@@ -170,7 +168,8 @@ float Sample(const FeaturePatch& patch, float u, float v) {
 // Samples of `seen` at the warped pixels of the reference; 0 in the lanes beyond them.
 using Samples = Lanes[kSide];
 
-void SamplePlain(const Reference& r, const FeaturePatch& seen, const Warp& warp, Samples& samples) {
+CVO_FOR_EACH_PROCESSOR
+void SampleAll(const Reference& r, const FeaturePatch& seen, const Warp& warp, Samples& samples) {
   for (int i = 0; i < kSide; ++i) {
     const Eigen::Vector2f row = warp.middle + warp.A.col(1) * r.y[i];
     std::fill_n(samples[i], kLanes, 0.0F);
@@ -186,8 +185,8 @@ struct Residuals {
   double squares;
 };
 
-[[gnu::always_inline]] inline Residuals SumResiduals(const Reference& r, const Samples& samples,
-                                                     float brightness) {
+CVO_FOR_EACH_PROCESSOR
+Residuals SumResiduals(const Reference& r, const Samples& samples, float brightness) {
   Lanes eu[2] = {}, ev[2] = {}, e1 = {}, ee = {};
   for (int i = 0; i < kSide; ++i) {
     for (int x = 0; x < kLanes; ++x) {
@@ -207,95 +206,12 @@ struct Residuals {
   return {gradient, Sum(ee)};
 }
 
-// The inner loops, compiled for one instruction set. All sets give the same numbers.
-struct PatchLoops {
-  SlopeSums (*sum_slopes)(const Reference&);
-  Residuals (*evaluate)(const Reference&, const FeaturePatch& seen, const Warp&, float brightness);
-};
+}  // namespace
 
-SlopeSums SumSlopesPlain(const Reference& r) { return SumSlopes(r); }
-
-Residuals EvaluatePlain(const Reference& r, const FeaturePatch& seen, const Warp& warp,
-                        float brightness) {
-  Samples samples;
-  SamplePlain(r, seen, warp, samples);
-  return SumResiduals(r, samples, brightness);
-}
-
-constexpr PatchLoops kPlainLoops{SumSlopesPlain, EvaluatePlain};
-
-#if defined(CVO_WITH_AVX2)
-// Interpolates bytes kFirst and kFirst + 1 of each lane linearly, with the column fraction fu.
-template <int kFirst>
-__attribute__((target("avx2"), always_inline)) inline __m256 Between(__m256i bytes, __m256 fu) {
-  const __m256i mask = _mm256_set1_epi32(255);
-  const __m256 left =
-      _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(bytes, 8 * kFirst), mask));
-  const __m256 right =
-      _mm256_cvtepi32_ps(_mm256_and_si256(_mm256_srli_epi32(bytes, 8 * kFirst + 8), mask));
-  return _mm256_add_ps(left, _mm256_mul_ps(fu, _mm256_sub_ps(right, left)));
-}
-
-// Samples eight columns of a row. Lanes that are not `wanted` are not read.
-__attribute__((target("avx2"), always_inline)) inline __m256 SampleEight(const std::uint8_t* pixels,
-                                                                         __m256 u, __m256 v,
-                                                                         __m256i wanted) {
-  constexpr int kStride = FeaturePatch::kSide_px;
-  const __m256i x = _mm256_cvttps_epi32(u);
-  const __m256i y = _mm256_cvttps_epi32(v);
-  const __m256 fu = _mm256_sub_ps(u, _mm256_cvtepi32_ps(x));
-  const __m256 fv = _mm256_sub_ps(v, _mm256_cvtepi32_ps(y));
-  const __m256i at = _mm256_add_epi32(_mm256_mullo_epi32(y, _mm256_set1_epi32(kStride)), x);
-  const auto four_at = [&](int offset) __attribute__((target("avx2"), always_inline)) {
-    return _mm256_mask_i32gather_epi32(
-        _mm256_setzero_si256(), reinterpret_cast<const int*>(pixels + offset), at, wanted, 1);
-  };
-  const __m256 top = Between<0>(four_at(0), fu);
-  // Reads the four bytes that end with the two of the next row: the four that start with them may
-  // lie beyond the patch.
-  const __m256 bottom = Between<2>(four_at(kStride - 2), fu);
-  return _mm256_add_ps(top, _mm256_mul_ps(fv, _mm256_sub_ps(bottom, top)));
-}
-
-__attribute__((target("avx2"))) void SampleAvx2(const Reference& r, const FeaturePatch& seen,
-                                                const Warp& warp, Samples& samples) {
-  constexpr int kEight = 8;
-  const __m256 A00 = _mm256_set1_ps(warp.A(0, 0));
-  const __m256 A10 = _mm256_set1_ps(warp.A(1, 0));
-  const __m256i all = _mm256_set1_epi32(-1);
-  const __m256i rest = _mm256_setr_epi32(-1, -1, -1, 0, 0, 0, 0, 0);
-  const __m256 x0 = _mm256_loadu_ps(r.x);
-  const __m256 x1 = _mm256_castps128_ps256(_mm_loadu_ps(r.x + kEight));
-  for (int i = 0; i < kSide; ++i) {
-    const Eigen::Vector2f row = warp.middle + warp.A.col(1) * r.y[i];
-    const __m256 u = _mm256_set1_ps(row.x());
-    const __m256 v = _mm256_set1_ps(row.y());
-    _mm256_storeu_ps(samples[i],
-                     SampleEight(seen.pixels.data(), _mm256_add_ps(u, _mm256_mul_ps(A00, x0)),
-                                 _mm256_add_ps(v, _mm256_mul_ps(A10, x0)), all));
-    _mm_storeu_ps(samples[i] + kEight,
-                  _mm256_castps256_ps128(
-                      SampleEight(seen.pixels.data(), _mm256_add_ps(u, _mm256_mul_ps(A00, x1)),
-                                  _mm256_add_ps(v, _mm256_mul_ps(A10, x1)), rest)));
-  }
-}
-
-__attribute__((target("avx2"))) SlopeSums SumSlopesAvx2(const Reference& r) { return SumSlopes(r); }
-
-__attribute__((target("avx2"))) Residuals EvaluateAvx2(const Reference& r, const FeaturePatch& seen,
-                                                       const Warp& warp, float brightness) {
-  Samples samples;
-  SampleAvx2(r, seen, warp, samples);
-  return SumResiduals(r, samples, brightness);
-}
-
-constexpr PatchLoops kAvx2Loops{SumSlopesAvx2, EvaluateAvx2};
-#endif
-
-std::optional<Eigen::Vector2d> Align(const FeaturePatch& reference, const FeaturePatch& seen,
-                                     double zoom, const PatchLoops& loops) {
+std::optional<Eigen::Vector2d> AlignFeaturePatch(const FeaturePatch& reference,
+                                                 const FeaturePatch& seen, double zoom) {
   const Reference r = ReferenceOf(reference);
-  const SlopeSums sums = loops.sum_slopes(r);
+  const SlopeSums sums = SumSlopes(r);
   const double weight = Sum(sums.one);
   const double mean = Sum(sums.first) / weight;
   const double max_squares = kMaxResidual * (Sum(sums.second) - weight * mean * mean);
@@ -305,12 +221,14 @@ std::optional<Eigen::Vector2d> Align(const FeaturePatch& reference, const Featur
                                seen.corner_v + FeaturePatch::kRadius_px);
   // Gauss-Newton with the gradients of the reference, which do not change from step to step.
   Vector at = Vector::Zero();
+  Samples samples;
   for (int step = 0; step < kMaxSteps; ++step) {
     Eigen::Matrix2d deformation;
     deformation << 1.0 + at[2], at[3], at[4], 1.0 + at[5];
     const Warp warp{(corner + at.head<2>()).cast<float>(), (zoom * deformation).cast<float>()};
     if (!warp.StaysInside(r)) return std::nullopt;
-    Residuals residuals = loops.evaluate(r, seen, warp, static_cast<float>(at[6]));
+    SampleAll(r, seen, warp, samples);
+    Residuals residuals = SumResiduals(r, samples, static_cast<float>(at[6]));
     residuals.gradient.segment<4>(2) += kDeformationInformation * at.segment<4>(2);
     const Vector change = information.solve(residuals.gradient);
     at.head<2>() -= zoom * change.head<2>();  // the gradients of `seen` are smaller by this factor
@@ -322,21 +240,6 @@ std::optional<Eigen::Vector2d> Align(const FeaturePatch& reference, const Featur
     }
   }
   return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<Eigen::Vector2d> AlignFeaturePatch(const FeaturePatch& reference,
-                                                 const FeaturePatch& seen, double zoom) {
-#if defined(CVO_WITH_AVX2)
-  if (UsesAvx2()) return Align(reference, seen, zoom, kAvx2Loops);
-#endif
-  return AlignFeaturePatchPlain(reference, seen, zoom);
-}
-
-std::optional<Eigen::Vector2d> AlignFeaturePatchPlain(const FeaturePatch& reference,
-                                                      const FeaturePatch& seen, double zoom) {
-  return Align(reference, seen, zoom, kPlainLoops);
 }
 
 }  // namespace cvo

@@ -24,14 +24,9 @@ struct FeaturePatch {
 // the point that is the corner of `reference`, in px of the level of `seen`. `zoom` is the
 // magnification of the surroundings of that point from `reference` to `seen`, each measured in
 // pixels of its level. Empty if the alignment does not converge, the patches differ too much, or
-// the shift is too large. Uses AVX2 if available.
+// the shift is too large.
 [[nodiscard]] std::optional<Eigen::Vector2d> AlignFeaturePatch(const FeaturePatch& reference,
                                                                const FeaturePatch& seen,
                                                                double zoom);
-
-// The same without AVX2, as the reference in tests of the fast path.
-[[nodiscard]] std::optional<Eigen::Vector2d> AlignFeaturePatchPlain(const FeaturePatch& reference,
-                                                                    const FeaturePatch& seen,
-                                                                    double zoom);
 
 }  // namespace cvo

@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
-#include "core/features/cpu_level.h"
+#include "core/base/processor.h"
 
 namespace cvo {
 namespace {
@@ -35,7 +35,7 @@ constexpr int kMaxStrip = kMaxSide + 2 * (kMaxSearchRadius_px + kMargin) + kMaxL
 using Lanes = float[kMaxLanes];
 using Register = float[kRegister];
 
-[[gnu::always_inline]] inline void Store(const Register& from, float* to) {
+void Store(const Register& from, float* to) {
   for (int x = 0; x < kRegister; ++x) to[x] = from[x];
 }
 
@@ -149,7 +149,8 @@ double SumOfWeights(const Patches& p) {
   return sum * sum;
 }
 
-[[gnu::always_inline]] inline Moments Difference(const Patches& p, int shift) {
+CVO_FOR_EACH_PROCESSOR
+Moments Difference(const Patches& p, int shift) {
   Lanes first;
   Lanes second;
   for (int begin = 0; begin < p.lanes; begin += kRegister) {
@@ -197,7 +198,8 @@ struct Slopes {
   Quarters by_quarter;  // information on the shift
 };
 
-[[gnu::always_inline]] inline Slopes SumSlopes(const Patches& p) {
+CVO_FOR_EACH_PROCESSOR
+Slopes SumSlopes(const Patches& p) {
   Lanes g = {}, gy = {}, ggy = {}, ggyy = {};
   Halves gg = {};
   for (int i = 0; i < p.side; ++i) {
@@ -228,8 +230,8 @@ struct Residuals {
 
 // Residuals: the right patch, warped with cubic convolution, minus the left patch. Empty if the
 // warp leaves the strip.
-[[gnu::always_inline]] inline std::optional<Residuals> Evaluate(const Patches& p,
-                                                                const Vector& warp) {
+CVO_FOR_EACH_PROCESSOR
+std::optional<Residuals> Evaluate(const Patches& p, const Vector& warp) {
   Lanes e1 = {}, ee = {}, gey = {};
   Halves ge = {};
   const int last = p.side + p.shifts - 1 + 2 * kMargin - 1;
@@ -264,39 +266,13 @@ struct Residuals {
                    {SumOfWeights(p), first, WeightedSum(p, ee)}};
 }
 
-// The inner loops, compiled for one instruction set. All sets give the same numbers.
-struct PatchLoops {
-  Moments (*difference)(const Patches&, int shift);
-  Slopes (*sum_slopes)(const Patches&);
-  std::optional<Residuals> (*evaluate)(const Patches&, const Vector& warp);
-};
-
-Moments DifferencePlain(const Patches& p, int shift) { return Difference(p, shift); }
-Slopes SumSlopesPlain(const Patches& p) { return SumSlopes(p); }
-std::optional<Residuals> EvaluatePlain(const Patches& p, const Vector& warp) {
-  return Evaluate(p, warp);
-}
-constexpr PatchLoops kPlainLoops{DifferencePlain, SumSlopesPlain, EvaluatePlain};
-
-#if defined(CVO_WITH_AVX2)
-__attribute__((target("avx2"))) Moments DifferenceAvx2(const Patches& p, int shift) {
-  return Difference(p, shift);
-}
-__attribute__((target("avx2"))) Slopes SumSlopesAvx2(const Patches& p) { return SumSlopes(p); }
-__attribute__((target("avx2"))) std::optional<Residuals> EvaluateAvx2(const Patches& p,
-                                                                      const Vector& warp) {
-  return Evaluate(p, warp);
-}
-constexpr PatchLoops kAvx2Loops{DifferenceAvx2, SumSlopesAvx2, EvaluateAvx2};
-#endif
-
 // Returns the shift with the smallest difference, refined to the vertex of the parabola through it
 // and its neighbours. Empty at the ends of the search range.
-std::optional<double> SearchShift(const Patches& p, const PatchLoops& loops) {
+std::optional<double> SearchShift(const Patches& p) {
   double costs[2 * kMaxSearchRadius_px + 1];
   int best = 0;
   for (int shift = 0; shift < p.shifts; ++shift) {
-    costs[shift] = loops.difference(p, shift).Variance();
+    costs[shift] = Difference(p, shift).Variance();
     if (costs[shift] < costs[best]) best = shift;
   }
   if (best == 0 || best == p.shifts - 1) return std::nullopt;
@@ -310,26 +286,28 @@ double Disagreement(const Quarters& information, const Quarters& gradient) {
   return std::sqrt((information * shift.square()).sum() / information.sum());
 }
 
-std::optional<PatchMatch> Align(const cv::Mat& left, const cv::Mat& right, const PatchQuery& query,
-                                const PatchLoops& loops) {
+}  // namespace
+
+std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
+                                     const PatchQuery& query) {
   Require(query.patch_radius >= 1 && query.patch_radius <= kMaxPatchRadius_px &&
               query.search_radius >= 1 && query.search_radius <= kMaxSearchRadius_px,
           "AlignPatch: radius out of range");
   Patches p;
   const double whole_disparity = std::round(query.u_left - query.u_right);
   if (!SamplePatches(left, right, query, whole_disparity, p)) return std::nullopt;
-  const std::optional<double> start = SearchShift(p, loops);
+  const std::optional<double> start = SearchShift(p);
   if (!start) return std::nullopt;
-  const Slopes slopes = loops.sum_slopes(p);
+  const Slopes slopes = SumSlopes(p);
   if (!(slopes.information.determinant() > 0.0)) return std::nullopt;
   const Matrix covariance = slopes.information.inverse();
   // Gauss-Newton with the gradients of the left patch, which do not change from step to step.
   Vector warp(*start, 0.0, 0.0);
-  std::optional<Residuals> residuals = loops.evaluate(p, warp);
+  std::optional<Residuals> residuals = Evaluate(p, warp);
   for (int step = 0; step < kMaxSteps && residuals; ++step) {
     const Vector change = covariance * residuals->gradient;
     warp -= change;
-    residuals = loops.evaluate(p, warp);
+    residuals = Evaluate(p, warp);
     if (std::abs(change[0]) < kSmallStep_px) break;
   }
   if (!residuals || std::abs(warp[0] - *start) > kMaxMove_px || std::abs(warp[1]) > kMaxShear) {
@@ -340,21 +318,6 @@ std::optional<PatchMatch> Align(const cv::Mat& left, const cv::Mat& right, const
   match.sigma = std::sqrt(residuals->moments.Variance() * covariance(0, 0));
   match.disagreement = Disagreement(slopes.by_quarter, residuals->by_quarter);
   return match;
-}
-
-}  // namespace
-
-std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
-                                     const PatchQuery& query) {
-#if defined(CVO_WITH_AVX2)
-  if (UsesAvx2()) return Align(left, right, query, kAvx2Loops);
-#endif
-  return AlignPatchPlain(left, right, query);
-}
-
-std::optional<PatchMatch> AlignPatchPlain(const cv::Mat& left, const cv::Mat& right,
-                                          const PatchQuery& query) {
-  return Align(left, right, query, kPlainLoops);
 }
 
 }  // namespace cvo

@@ -32,12 +32,8 @@ struct PatchMatch {
 // Finds the column at which the right image matches the patch of the left one: a search over whole
 // columns, then Gauss-Newton steps over the disparity, its change from row to row (as on the
 // ground) and the brightness. Empty if a patch leaves its image, the best column is at the end of
-// the search range, or the steps lead too far away from it. Uses AVX2 if available.
+// the search range, or the steps lead too far away from it.
 [[nodiscard]] std::optional<PatchMatch> AlignPatch(const cv::Mat& left, const cv::Mat& right,
                                                    const PatchQuery& query);
-
-// The same without AVX2, as the reference in tests of the fast path.
-[[nodiscard]] std::optional<PatchMatch> AlignPatchPlain(const cv::Mat& left, const cv::Mat& right,
-                                                        const PatchQuery& query);
 
 }  // namespace cvo

@@ -287,8 +287,7 @@ FrameLabels LabelPoints(const FrameView& view, const LabelSteps& steps, const Wi
   for (std::size_t i = 0; i < points.size(); ++i) {
     positions.col(static_cast<Eigen::Index>(i)) = scene.nodes[i].MovingPlace().p_in_camera;
   }
-  const CrfResult crf =
-      steps.infer(unary.total, positions, view.options.pairwise, memory, FastCrfLoops());
+  const CrfResult crf = steps.infer(unary.total, positions, view.options.pairwise, memory);
   const std::vector<int> decided = DecideLabels(view, points, scene, crf);
   std::vector<ClusterId> cluster_of = ContinueClusters(view, window, map, points, scene, decided);
   NameLabels(map.next, scene.labels, cluster_of, labels);

@@ -13,8 +13,7 @@ namespace cvo {
 // The steps of the labelling in which variants differ.
 struct LabelSteps {
   UnaryEnergies (*unaries)(const CrfScene&, const UnaryOptions&);
-  CrfResult (*infer)(const CrfMatrix&, const Eigen::Matrix3Xd&, const PairwiseOptions&, CrfMemory&,
-                     const CrfLoops&);
+  CrfResult (*infer)(const CrfMatrix&, const Eigen::Matrix3Xd&, const PairwiseOptions&, CrfMemory&);
   LabelOutcome (*adopt)(ClusterId inferred, LabelState& state);
   NewBodyRule new_body;
 };

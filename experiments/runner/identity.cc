@@ -24,7 +24,6 @@
 #include "build_tools.h"
 #include "core/base/error.h"
 #include "core/base/task_pool.h"
-#include "core/features/cpu_level.h"
 #include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
 #include "core/files/sha256.h"
@@ -45,7 +44,7 @@ reports::BuildInfo IdentifyBuild() {
   build.flags = kFlags;
   build.libraries = {cv::getVersionString(), StrCat(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION,
                                                     ".", EIGEN_MINOR_VERSION)};
-  build.cpu_level = CpuLevelName();
+  build.cpu_level = kCpuLevel;
   build.commit = kCommit;
   build.identity = reports::IdentityOf(build);
   return build;

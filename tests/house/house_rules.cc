@@ -42,14 +42,11 @@ const std::vector<TextRule>& TextRules() {
   static const std::regex library(
       R"((core|variants|synth|reports|experiments/(datasets|metrics|runner|scene_check))/.*\.(h|cc))");
   static const std::regex any(".*");
-  // json_record.h lists fields by macros, and only cpu_level.* asks for the architecture. A kernel
-  // for it, chosen at run time, asks for CVO_WITH_AVX2 instead.
+  // json_record.h lists fields by macros, and processor.h asks what is compiled for.
   static const std::regex portable(
-      R"((core|variants)/(?!features/cpu_level\.|files/json/json_record\.).*\.(h|cc))");
+      R"((core|variants)/(?!base/processor\.|files/json/json_record\.).*\.(h|cc))");
   static const std::vector<TextRule> rules = {
-      {portable,
-       std::regex(
-           R"(^\s*#\s*((ifdef|ifndef|elif|else|define|undef)\b|if (?!defined\(CVO_WITH_AVX2\)$)))"),
+      {portable, std::regex(R"(^\s*#\s*(ifdef|ifndef|elif|else|define|undef|if)\b)"),
        "preprocessor branch or macro in the estimator"},
       {any, std::regex("-march=[n]ative|-ffast-[m]ath|-O[f]ast"),
        "flag that makes results depend on the computer or reorders arithmetic"},

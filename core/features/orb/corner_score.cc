@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/features/cpu_level.h"
+#include "core/base/processor.h"
 
 namespace cvo {
 namespace {
@@ -38,8 +38,9 @@ using Byte = std::uint8_t;
   return best;
 }
 
-[[gnu::always_inline]] inline void ScoreRow(const Byte* row, const std::ptrdiff_t (&ring)[kRing],
-                                            int count, Byte* __restrict scores) {
+CVO_FOR_EACH_PROCESSOR
+void ScoreRow(const Byte* row, const std::ptrdiff_t (&ring)[kRing], int count,
+              Byte* __restrict scores) {
   for (int x = 0; x < count; ++x) {
     const Byte centre = row[x];
     Byte brighter[kRing];
@@ -51,40 +52,6 @@ using Byte = std::uint8_t;
       darker[k] = Less(larger, value);
     }
     scores[x] = Max(BestArc(brighter), BestArc(darker));
-  }
-}
-
-using RowKernel = void (*)(const Byte*, const std::ptrdiff_t (&)[kRing], int, Byte*);
-
-void ScoreRowPlain(const Byte* row, const std::ptrdiff_t (&ring)[kRing], int count, Byte* scores) {
-  ScoreRow(row, ring, count, scores);
-}
-
-#if defined(CVO_WITH_AVX2)
-__attribute__((target("avx2"))) void ScoreRowAvx2(const Byte* row,
-                                                  const std::ptrdiff_t (&ring)[kRing], int count,
-                                                  Byte* scores) {
-  ScoreRow(row, ring, count, scores);
-}
-#endif
-
-void ScoreImage(const cv::Mat& image, cv::Mat& scores, RowKernel score_row) {
-  Require(image.type() == CV_8UC1 && scores.type() == CV_8UC1 && image.size() == scores.size(),
-          "ComputeFastScores: needs two CV_8UC1 images of one size");
-  std::ptrdiff_t ring[kRing];
-  for (int k = 0; k < kRing; ++k) {
-    ring[k] = kRingY[k] * static_cast<std::ptrdiff_t>(image.step) + kRingX[k];
-  }
-  const int inner = image.cols - 2 * kRadius;
-  for (int y = 0; y < image.rows; ++y) {
-    Byte* out = scores.ptr<Byte>(y);
-    if (inner <= 0 || y < kRadius || y >= image.rows - kRadius) {
-      std::memset(out, 0, static_cast<std::size_t>(image.cols));
-      continue;
-    }
-    std::memset(out, 0, kRadius);
-    score_row(image.ptr<Byte>(y) + kRadius, ring, inner, out + kRadius);
-    std::memset(out + kRadius + inner, 0, kRadius);
   }
 }
 
@@ -127,17 +94,23 @@ void AppendMarked(const std::vector<Byte>& marks, int y, int first, int last,
 }  // namespace
 
 void ComputeFastScores(const cv::Mat& image, cv::Mat& scores) {
-#if defined(CVO_WITH_AVX2)
-  if (UsesAvx2()) {
-    ScoreImage(image, scores, ScoreRowAvx2);
-    return;
+  Require(image.type() == CV_8UC1 && scores.type() == CV_8UC1 && image.size() == scores.size(),
+          "ComputeFastScores: needs two CV_8UC1 images of one size");
+  std::ptrdiff_t ring[kRing];
+  for (int k = 0; k < kRing; ++k) {
+    ring[k] = kRingY[k] * static_cast<std::ptrdiff_t>(image.step) + kRingX[k];
   }
-#endif
-  ComputeFastScoresPlain(image, scores);
-}
-
-void ComputeFastScoresPlain(const cv::Mat& image, cv::Mat& scores) {
-  ScoreImage(image, scores, ScoreRowPlain);
+  const int inner = image.cols - 2 * kRadius;
+  for (int y = 0; y < image.rows; ++y) {
+    Byte* out = scores.ptr<Byte>(y);
+    if (inner <= 0 || y < kRadius || y >= image.rows - kRadius) {
+      std::memset(out, 0, static_cast<std::size_t>(image.cols));
+      continue;
+    }
+    std::memset(out, 0, kRadius);
+    ScoreRow(image.ptr<Byte>(y) + kRadius, ring, inner, out + kRadius);
+    std::memset(out + kRadius + inner, 0, kRadius);
+  }
 }
 
 std::vector<Corner> FindMaxima(const cv::Mat& scores, int border_px, int threshold) {

@@ -11,11 +11,8 @@ namespace cvo {
 
 // Computes the FAST-9 score of every pixel (Rosten and Drummond 2006): the largest t for which 9
 // contiguous pixels of the 16 around it are all brighter, or all darker, by at least t. The score
-// is 0 on the 3 px border. `scores` must have the size of the image. Uses AVX2 if available.
+// is 0 on the 3 px border. `scores` must have the size of the image.
 void ComputeFastScores(const cv::Mat& image, cv::Mat& scores);
-
-// The same without AVX2, as the reference in tests of the fast path.
-void ComputeFastScoresPlain(const cv::Mat& image, cv::Mat& scores);
 
 struct Corner {
   int x = 0;  // pixels of the level

@@ -34,20 +34,17 @@ PairwiseOptions AllSweeps(double alpha, int sweeps) {
 }
 
 template <typename Kernel>
-CrfResult Infer(const Problem& problem, const PairwiseOptions& options,
-                const CrfLoops& loops = FastCrfLoops()) {
+CrfResult Infer(const Problem& problem, const PairwiseOptions& options) {
   CrfMemory memory;
-  return InferDenseCrf<Kernel>(problem.energies, problem.points, options, memory, loops);
+  return InferDenseCrf<Kernel>(problem.energies, problem.points, options, memory);
 }
 
-CrfMatrix Normalized(const Problem& problem, const PairwiseOptions& options,
-                     const CrfLoops& loops = FastCrfLoops()) {
-  return Infer<NormalizedGaussianKernel>(problem, options, loops).q;
+CrfMatrix Normalized(const Problem& problem, const PairwiseOptions& options) {
+  return Infer<NormalizedGaussianKernel>(problem, options).q;
 }
 
-CrfMatrix Raw(const Problem& problem, const PairwiseOptions& options,
-              const CrfLoops& loops = FastCrfLoops()) {
-  return Infer<RawGaussianKernel>(problem, options, loops).q;
+CrfMatrix Raw(const Problem& problem, const PairwiseOptions& options) {
+  return Infer<RawGaussianKernel>(problem, options).q;
 }
 
 double Difference(const CrfMatrix& a, const CrfMatrix& b) { return (a - b).cwiseAbs().maxCoeff(); }
@@ -108,10 +105,7 @@ TEST(DenseCrf, AgreesWithDoublePrecisionReference) {
     const CrfMatrix reference =
         Reference(problem.energies, NormalizedKernel(problem.points, 0.7071), 5.0, 10);
     const PairwiseOptions options = AllSweeps(5.0, 10);
-    const CrfMatrix plain = Normalized(problem, options, PlainCrfLoops());
     EXPECT_LT(Difference(Normalized(problem, options), reference), 1e-5);
-    EXPECT_LT(Difference(plain, reference), 1e-5);
-    EXPECT_LT(Difference(Normalized(problem, options), plain), 1e-6);
     // The pairwise term must have an effect, otherwise the comparison proves nothing.
     EXPECT_GT(Difference(Normalized(problem, AllSweeps(0.0, 1)), reference), 0.1);
   }
@@ -125,7 +119,6 @@ TEST(DenseCrf, RawKernelIsThePapersForAnyBandwidth) {
   const CrfMatrix reference =
       Reference(problem.energies, RawKernel(problem.points, std::sqrt(0.5)), 0.2, 10);
   EXPECT_LT(Difference(Raw(problem, options), reference), 1e-5);
-  EXPECT_LT(Difference(Raw(problem, options, PlainCrfLoops()), reference), 1e-5);
 }
 
 TEST(DenseCrf, ZeroWeightDisablesThePairwiseTerm) {

@@ -89,32 +89,6 @@ TEST(AlignPatch, QuartersDisagreeAtDepthDiscontinuities) {
   EXPECT_GT(Median(jumping), 3.0 * Median(even));
 }
 
-TEST(AlignPatch, FastPathEqualsPlainOne) {
-  const cv::Mat scene = DrawScene(320, 240, 6);
-  const cv::Mat left = Render(scene, 0, 2.0, 1);
-  const cv::Mat right = Render(scene, 8 * kSubpixelSteps + 3, 2.0, 2);
-  int found = 0;
-  for (int radius = 1; radius <= kMaxPatchRadius_px; ++radius) {
-    for (int u = 60; u < 260; u += 8) {
-      const PatchQuery query{.u_left = u + 0.3,
-                             .v_left = 120.6,
-                             .u_right = u - 8.0,
-                             .v_right = 120.9,
-                             .patch_radius = radius,
-                             .search_radius = 4};
-      const auto fast = AlignPatch(left, right, query);
-      const auto plain = AlignPatchPlain(left, right, query);
-      ASSERT_EQ(fast.has_value(), plain.has_value());
-      if (!fast) continue;
-      ++found;
-      ASSERT_EQ(fast->u_right, plain->u_right);
-      ASSERT_EQ(fast->sigma, plain->sigma);
-      ASSERT_EQ(fast->disagreement, plain->disagreement);
-    }
-  }
-  EXPECT_GT(found, 100);
-}
-
 TEST(MatchStereo, RepetitiveTextureIsMostlyRejected) {
   // A tile of 40 px repeats, so every position in a row has competing matches.
   const cv::Mat tile = DrawScene(40, 240, 4).colRange(0, 40 * kSubpixelSteps);

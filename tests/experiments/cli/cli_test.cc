@@ -185,25 +185,6 @@ TEST_F(Cli, UnwritableOutput) {
   EXPECT_EQ(test::ReadFile(file), "mine");
 }
 
-// Without AVX2 all stages run their portable code, whose results differ only by rounding.
-TEST_F(Cli, WithoutAvx2ResultsAgreeAndTheLevelIsReported) {
-  const auto run = [&](const std::string& folder, const test::ProcessSetup& setup) {
-    const ProcessResult result = RunProgram({"run", tiny(), "-o", folder}, setup);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-    return ParseJson(test::ReadFile(fs::path(folder) / "result.json"), "result");
-  };
-  const Json plain = run(out(), {.environment = {"OPENCV_CPU_DISABLE=AVX2"}});
-  const Json any = run(out() + "2", {});
-  EXPECT_THAT(plain["build"]["cpu_level"].get<std::string>(), testing::StartsWith("plain"));
-  ASSERT_EQ(plain["frames"].size(), any["frames"].size());
-  for (std::size_t k = 0; k < any["frames"].size(); ++k) {
-    EXPECT_EQ(plain["frames"][k]["features"], any["frames"][k]["features"]);
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR(plain["frames"][k]["refined"][i], any["frames"][k]["refined"][i], 1e-6);
-    }
-  }
-}
-
 TEST_F(Cli, HelpAndVersion) {
   for (const char* command : {"run", "eval", "info", "list", "experiment"}) {
     const ProcessResult help = RunProgram({command, "--help"});
