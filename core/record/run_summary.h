@@ -34,7 +34,7 @@ struct BuildInfo {
   std::string build_type;
   std::string flags;
   LibraryVersions libraries;
-  std::string cpu_level;  // kind of processor
+  std::string cpu_level;  // CpuLevel of the machine
   std::string identity;   // hash of the fields above
   std::string commit;     // for human readers; with "+changes" if the sources differ from it
 

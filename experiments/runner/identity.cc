@@ -34,6 +34,13 @@ namespace cvo {
 
 namespace {
 
+// Our own code computes the same with and without AVX2, but the C library and OpenCV may not.
+std::string CpuLevel() {
+  const bool is_fast =
+      cv::checkHardwareSupport(CV_CPU_AVX2) && cv::checkHardwareSupport(CV_CPU_FMA3);
+  return is_fast ? "avx2" : StrCat("plain ", kProcessor);
+}
+
 reports::BuildInfo IdentifyBuild() {
   reports::BuildInfo build;
   build.version = kVersion;
@@ -44,7 +51,7 @@ reports::BuildInfo IdentifyBuild() {
   build.flags = kFlags;
   build.libraries = {cv::getVersionString(), StrCat(EIGEN_WORLD_VERSION, ".", EIGEN_MAJOR_VERSION,
                                                     ".", EIGEN_MINOR_VERSION)};
-  build.cpu_level = kCpuLevel;
+  build.cpu_level = CpuLevel();
   build.commit = kCommit;
   build.identity = reports::IdentityOf(build);
   return build;

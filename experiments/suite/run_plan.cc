@@ -54,7 +54,9 @@ class JobFolder {
   void CheckIdentity(const std::string& made, const Sequence& sequence) const {
     if (made == id_) return;
     RemoveResult();
-    ThrowError(sequence.folder.string(), "files that differ from when the suite was planned",
+    ThrowError(sequence.folder.string(),
+               StrCat("files or processor level that differ from when the suite was planned (",
+                      ThisBuild().cpu_level, " here)"),
                "no change since planning; clustervo experiment run makes a new plan");
   }
   void RemoveResult() const {
