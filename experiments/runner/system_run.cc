@@ -143,19 +143,16 @@ Objects ReadRows(const SystemFiles& files, const Sequence& sequence, SystemEstim
   return objects;
 }
 
-// Returns the number that the file is named by, or -1 if its name is not a number.
-std::int64_t IdOf(const fs::path& file) {
-  const auto id = ParseInteger(file.stem().string());
-  return id && *id >= 0 && std::to_string(*id) == file.stem().string() ? *id : -1;
-}
-
 Objects ReadFolder(const fs::path& folder, const Sequence& sequence, SystemEstimate& system) {
   std::map<std::int64_t, fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".tum") continue;
-    const std::int64_t id = IdOf(entry.path());
-    if (id < 0) ThrowError(entry.path().string(), "a name that is no number", "<id>.tum");
-    files.emplace(id, entry.path());
+    const std::string name = entry.path().stem().string();
+    const auto id = ParseInteger(name);
+    if (!id || *id < 0 || std::to_string(*id) != name) {
+      ThrowError(entry.path().string(), "a name that is no number", "<id>.tum");
+    }
+    files.emplace(*id, entry.path());
   }
   if (files.empty()) ThrowError(folder.string(), "no file", "<id>.tum, one per object");
   Objects objects;
@@ -250,14 +247,10 @@ Json ClustersToJson(int first_frame, const std::vector<ClusterEstimate>& estimat
 std::string HashObjects(const fs::path& objects) {
   if (objects.empty()) return "";
   if (!fs::is_directory(objects)) return Sha256Hex(ReadFileBytes(objects));
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(objects)) {
-    if (entry.path().extension() == ".tum") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  Json hashes = Json::array();
-  for (const fs::path& file : files) {
-    hashes.push_back({file.filename().string(), Sha256Hex(ReadFileBytes(file))});
+  Json hashes = Json::object();  // sorted by name
+  for (const fs::path& file : fs::directory_iterator(objects)) {
+    if (file.extension() == ".tum")
+      hashes[file.filename().string()] = Sha256Hex(ReadFileBytes(file));
   }
   return Sha256Hex(DumpJson(hashes));
 }

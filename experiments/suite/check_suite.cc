@@ -186,7 +186,7 @@ void CheckSystems(const Suite& suite, const std::string& where) {
       ThrowError(at + ".command", "{detections}, and a sequence without \"detections\"",
                  "boxes for each sequence");
     }
-    if (system.shipped() && !any([&](const auto& s) { return IsShipped(system.name, s); })) {
+    if (system.shipped() && !any([&](const auto& s) { return FindShipped(system.name, s); })) {
       ThrowError(at, "no \"command\" or \"writes\"",
                  "these, or a trajectory that comes with the program");
     }

@@ -323,7 +323,7 @@ void AddVariants(const Suite& suite, std::size_t entry, std::vector<PlanJob>& jo
 void AddSystems(const Suite& suite, std::size_t entry, bool again, std::vector<PlanJob>& jobs) {
   for (const SuiteSystem& system : suite.systems) {
     if (again && !system.Uses("{detections}")) continue;
-    if (system.shipped() && !IsShipped(system.name, suite.sequences[entry])) continue;
+    if (system.shipped() && !FindShipped(system.name, suite.sequences[entry])) continue;
     for (const std::uint64_t seed : system.command.empty() ? suite.seeds : system.seeds) {
       jobs.push_back(JobOn(suite, entry, seed));
       jobs.back().system = system.name;

@@ -15,15 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const ShippedTrajectory* Find(const std::string& system, const SuiteSequence& sequence) {
-  const std::string& name = sequence.scene;
-  const std::string scene = synth::IsFamilyScene(name) ? name : fs::path(name).stem().string();
-  for (const ShippedTrajectory& trajectory : ShippedTrajectories()) {
-    if (trajectory.system == system && trajectory.scene == scene) return &trajectory;
-  }
-  return nullptr;
-}
-
 // Returns why the trajectory was made from other images than the job has; empty if it was not.
 std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence& sequence,
                        const fs::path& rendered) {
@@ -40,26 +31,33 @@ std::string Difference(const ShippedTrajectory& trajectory, const SuiteSequence&
 
 }  // namespace
 
-bool IsShipped(const std::string& system, const SuiteSequence& sequence) {
-  return Find(system, sequence) != nullptr;
+const ShippedTrajectory* FindShipped(const std::string& system, const SuiteSequence& sequence) {
+  const std::string& name = sequence.scene;
+  const std::string scene = synth::IsFamilyScene(name) ? name : fs::path(name).stem().string();
+  for (const ShippedTrajectory& trajectory : ShippedTrajectories()) {
+    if (trajectory.system == system && trajectory.scene == scene) return &trajectory;
+  }
+  return nullptr;
 }
 
 SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
                                const fs::path& rendered, const fs::path& cache) {
-  const ShippedTrajectory& trajectory = *Find(system, sequence);
+  const ShippedTrajectory& trajectory = *FindShipped(system, sequence);
   const std::string difference = Difference(trajectory, sequence, rendered);
   if (!difference.empty()) {
     throw Error(StrCat(kStale, system, " on ", sequence.name, " ", difference));
   }
-  const fs::path folder = cache / "trajectories" / system;
-  const std::string name =
-      StrCat(trajectory.scene, "-", Sha256Hex(trajectory.text).substr(0, 8), ".tum");
+  std::string all;
+  for (const NamedContent& file : trajectory.files) all += file.content;
+  const fs::path folder =
+      cache / "trajectories" / system / StrCat(trajectory.scene, "-", Sha256Hex(all).substr(0, 8));
   std::error_code ignored;
-  if (!fs::exists(folder / name, ignored)) {
+  if (!fs::exists(folder / trajectory.files.back().name, ignored)) {
     fs::create_directories(folder);
-    WriteFilesAtomically(folder, {{name, std::string(trajectory.text)}});
+    WriteFilesAtomically(folder, trajectory.files);
   }
-  return {system, folder / name, ""};
+  const bool bodies = trajectory.files.size() > 1;
+  return {system, folder / "camera.tum", bodies ? folder / "bodies" : fs::path()};
 }
 
 }  // namespace cvo

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/files/atomic_file.h"
 #include "core/files/json/json.h"
 #include "core/interface/options.h"
 #include "core/record/suite_runs.h"
@@ -201,25 +202,24 @@ std::string DetectorLevel(const SuiteSequence& sequence);
 // Returns the classes of detections to use: the sequence's own, or RigidClasses() if it has none.
 std::vector<std::string> ClassesOf(const SuiteSequence& sequence);
 
-// Another system's trajectory on a scene, a block of a file of reports/reference/trajectories.
+// What another system made of a scene, a block of a file of reports/reference/trajectories.
 struct ShippedTrajectory {
   std::string_view system;
-  std::string_view scene;       // a shipped scene, or of a family: "room@1040,rate_hz=10"
-  std::string_view frames;      // as SuiteSequence::frames, or "all"
-  std::string_view scene_hash;  // of the rendered scene.json, which has the seed of the noise
-  std::string_view text;        // TUM poses
+  std::string_view scene;           // a shipped scene, or of a family: "room@1040,rate_hz=10"
+  std::string_view frames;          // as SuiteSequence::frames, or "all"
+  std::string_view scene_hash;      // of the rendered scene.json, which has the seed of the noise
+  std::vector<NamedContent> files;  // camera.tum, then bodies/<id>.tum if it has bodies
 };
 const std::vector<ShippedTrajectory>& ShippedTrajectories();
 
-// Whether the program ships a trajectory of the system on the sequence.
-bool IsShipped(const std::string& system, const SuiteSequence& sequence);
+// The system's trajectory on the sequence; null if there is none.
+const ShippedTrajectory* FindShipped(const std::string& system, const SuiteSequence& sequence);
 
 // PlanJob::missing starts with this if a shipped trajectory was made from other images.
 inline constexpr std::string_view kStale = "stale: ";
 
-// Writes a shipped trajectory of the sequence (IsShipped) below the cache folder and returns the
-// file. Throws Error, with kStale, if the trajectory was made from another scene or seed than that
-// in the folder `rendered`, or if the sequence uses other frames or perturbed images.
+// Writes what is shipped of the sequence (FindShipped) below the cache folder. Throws Error, with
+// kStale, if the folder `rendered` or the job has another scene, seed, part or perturbation.
 SystemFiles ShippedSystemFiles(const std::string& system, const SuiteSequence& sequence,
                                const std::filesystem::path& rendered,
                                const std::filesystem::path& cache);

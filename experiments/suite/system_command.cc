@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <opencv2/imgcodecs.hpp>
 #include <regex>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/atomic_file.h"
+#include "core/files/images/image_file.h"
 #include "core/files/sha256.h"
 #include "core/files/text/closest_names.h"
 #include "core/files/text/number.h"
@@ -168,7 +168,7 @@ void GiveImage(const Sequence& sequence, std::size_t index, int side, const fs::
     ThrowError(source.string(), "dropped by perturb.drop_rate", "an image for another system");
   }
   PerturbImage(sequence, index, side, image.grey);
-  cv::imwrite(name.string() + ".png", image.grey);
+  WriteFileBytes(name.string() + ".png", EncodeImage(".png", image.grey));
 }
 
 // Writes what placeholders lead to, unless an earlier job has.

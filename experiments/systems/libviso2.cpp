@@ -5,40 +5,29 @@
 // KITTI calibration. Writes a KITTI pose per frame. Not part of our build: see README.md.
 #include <viso_stereo.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <opencv2/core/utility.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
 
 namespace {
 
-std::vector<std::string> FilesIn(const std::string& folder) {
-  std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    files.push_back(entry.path().string());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
 // P0: fx 0 cx 0 0 fy cy ..., P1: ... with -fx * baseline in the fourth place.
 bool ReadCalibration(const std::string& file, VisualOdometryStereo::parameters& parameters) {
   std::ifstream in(file);
-  double p0[12];
-  double p1[12];
+  double p[2][12];
   std::string key;
-  in >> key;
-  for (double& value : p0) in >> value;
-  in >> key;
-  for (double& value : p1) in >> value;
-  parameters.calib.f = p0[0];
-  parameters.calib.cu = p0[2];
-  parameters.calib.cv = p0[6];
-  parameters.base = -p1[3] / p1[0];
+  for (auto& row : p) {
+    in >> key;
+    for (double& value : row) in >> value;
+  }
+  parameters.calib.f = p[0][0];
+  parameters.calib.cu = p[0][2];
+  parameters.calib.cv = p[0][6];
+  parameters.base = -p[1][3] / p[1][0];
   return static_cast<bool>(in);
 }
 
@@ -50,8 +39,10 @@ int Run(const std::vector<std::string>& arguments) {
   }
   VisualOdometryStereo odometry(parameters);
   Matrix camera_from_world = Matrix::eye(4);
-  const std::vector<std::string> left = FilesIn(arguments[0]);
-  const std::vector<std::string> right = FilesIn(arguments[1]);
+  std::vector<std::string> left;
+  std::vector<std::string> right;
+  cv::glob(arguments[0], left);  // in the order of their names
+  cv::glob(arguments[1], right);
   std::ofstream out(arguments[3]);
   out.precision(std::numeric_limits<double>::max_digits10);
   for (std::size_t i = 0; i < left.size(); ++i) {

@@ -239,14 +239,25 @@ TEST(Record, TellsOfWhatBuildItIs) {
                  "#!/bin/sh\necho 'build      " + build + "01'\necho 'commit     abcdef0123'\n");
     fs::permissions(folder.path() / "program", fs::perms::owner_all);
   };
+  fs::create_directories(folder.path() / "reports/baselines");
+  const auto baseline = [&](int build, int values) {
+    folder.Write("reports/baselines/ci.json",
+                 StrCat("{\n \"build\": ", build, ",\n \"values\": ", values,
+                        ",\n \"checksum\": ", build + values, "\n}\n"));
+  };
   folder.Write("record", "# Results\n\nText.\n\n## a\n\n2 runs; build 111111111111\n");
   program("111111111111");
+  baseline(1, 2);
   EXPECT_EQ(state("false", "made"),
-            "**Record:** build 111111111111, commit abcdef01. "
+            "**Record:** build 111111111111, commit abcdef01, baseline fb991473. "
             "The sources beside it are of this build. ");
   program("222222222222");
   EXPECT_THAT(state("true", ""), HasSubstr("are of build 222222222222, by commits not known here"));
   EXPECT_THAT(state("false", ""), HasSubstr("values have moved, make record."));
+  baseline(2, 2);  // written again, after the record
+  EXPECT_THAT(state("true", ""), HasSubstr("the record holds."));
+  baseline(2, 3);
+  EXPECT_THAT(state("true", ""), HasSubstr("values have moved, make record."));
   EXPECT_THAT(state("true", "made"), HasSubstr("Of another build: a (111111111111)."));
 }
 

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <limits>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
+#include "core/files/images/image_file.h"
 #include "reports/overlays/canvas.h"
 #include "reports/overlays/draw_overlay.h"
 #include "tests/support/error_message.h"
@@ -337,9 +337,7 @@ TEST(Grid, FillsRowsFromTheTopLeft) {
 
 TEST(Encode, GivesBackTheImage) {
   const cv::Mat image = Filled(40, 30, {200, 100, 50});
-  const std::string png = PngBytes(image);
-  const std::vector<char> bytes(png.begin(), png.end());
-  EXPECT_TRUE(SameImage(cv::imdecode(bytes, cv::IMREAD_COLOR), image));
+  EXPECT_TRUE(SameImage(DecodeImage(PngBytes(image), cv::IMREAD_COLOR), image));
   EXPECT_LT(JpegBytes(image, 20).size(), JpegBytes(image, 95).size() + 1);
   EXPECT_THAT(ErrorMessage([] { PngBytes(cv::Mat()); }), HasSubstr(".png"));
 }
