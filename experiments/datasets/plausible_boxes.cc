@@ -119,19 +119,27 @@ double MostShared(const Box& box, const std::vector<Box>& others) {
   return most;
 }
 
-// How much boxes differ from those of the next frame (or of others, at least five away).
+// How much boxes differ from those of the frames beside theirs (or of others, at least five away).
 double Difference(const BoxesByFrame& boxes, bool next) {
-  std::vector<double> differences;
+  constexpr std::size_t kMostFar = 40;  // frames over the sequence that all are compared with
+  std::vector<int> others;
+  for (const auto& [frame, of_frame] : boxes) others.push_back(frame);
+  const std::size_t stride = others.size() / kMostFar + 1;
+  std::erase_if(others, [&, i = std::size_t{0}](int) mutable { return i++ % stride > 0; });
+  double sum = 0.0, count = 0.0;
   for (const auto& [frame, of_frame] : boxes) {
-    for (const auto& [other, of_other] : boxes) {
-      const int apart = std::abs(other - frame);
-      if (next ? apart != 1 : apart < 5) continue;
+    if (next) others = {frame - 1, frame + 1};
+    for (const int other : others) {
+      const auto found = boxes.find(other);
+      if (found == boxes.end() || found->second.all.empty()) continue;
+      if (!next && std::abs(other - frame) < 5) continue;
       for (const Box& box : of_frame.best) {
-        if (!of_other.all.empty()) differences.push_back(1.0 - MostShared(box, of_other.all));
+        sum += 1.0 - MostShared(box, found->second.all);
+        count += 1.0;
       }
     }
   }
-  return differences.empty() ? 0.0 : MeanOf(differences);
+  return count > 0.0 ? sum / count : 0.0;
 }
 
 // Finds boxes of other frames than the images. Moved as the corners in them move, they share less
@@ -160,10 +168,10 @@ void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, Box
     }
   }
   if (shared.size() < kFewest) return;
+  const bool against = Median(gains) < -kMostLost;
+  if (!against && MeanOf(moves) <= kLeastMove && Median(shared) >= kLeastShared) return;
   const double near = Difference(boxes, true), far = Difference(boxes, false);
-  const bool moving = MeanOf(moves) > kLeastMove || Median(shared) < kLeastShared;
-  const bool mixed = moving && far > kLeastFar && near > kMostNear * far;
-  if (Median(gains) >= -kMostLost && !mixed) return;
+  if (!against && (far <= kLeastFar || near <= kMostNear * far)) return;
   lines.push_back(StrCat(what, ": boxes that follow the images share ",
                          FormatFixed(100.0 * Median(shared), 0), " % with those of later frames, ",
                          FormatFixed(100.0 * (1.0 - near), 0), " % unmoved with the next, ",
