@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/association/matching.h"
 #include "core/base/lists.h"
 #include "core/features/orb/orb.h"
 #include "core/files/text/number.h"
@@ -61,34 +62,23 @@ std::vector<Eigen::Vector3d> DisparitiesOf(const cv::Mat& left, const cv::Mat& r
   return points;
 }
 
-// Returns the corner that looks most like this one; nullptr if none is similar enough or another is
-// about as similar.
-const OrbKeypoint* MostAlike(const OrbKeypoint& corner, const Corners& others) {
-  constexpr int kFarthest = 64;        // of 256 bits
-  constexpr double kUniqueness = 0.8;  // best / second-best distance
-  int best = 257;
-  int second = 257;
-  const OrbKeypoint* alike = nullptr;
-  for (const OrbKeypoint& other : others) {
-    const int distance = HammingDistance(corner.descriptor, other.descriptor);
-    if (distance < best) {
-      second = best;
-      best = distance;
-      alike = &other;
-    } else {
-      second = std::min(second, distance);
-    }
-  }
-  return best <= kFarthest && best < kUniqueness * second ? alike : nullptr;
-}
-
-// For each corner of `from`, the one of `to` of which it is the most alike as well; null: none.
+// For each corner of `from`, the one of `to` if each is clearly the most similar to the other; or
+// null.
 std::vector<const OrbKeypoint*> MatchAnywhere(const Corners& from, const Corners& to) {
-  std::vector<const OrbKeypoint*> partners;
-  for (const OrbKeypoint& corner : from) {
-    const OrbKeypoint* partner = MostAlike(corner, to);
-    const bool mutual = partner != nullptr && MostAlike(*partner, from) == &corner;
-    partners.push_back(mutual ? partner : nullptr);
+  const auto match = [](const Corners& these, const Corners& those) {
+    constexpr int kFarthest = 64;        // of 256 bits
+    constexpr double kUniqueness = 0.8;  // best / second-best distance
+    std::vector<Descriptor> descriptors;
+    std::vector<StereoFeature> features;
+    for (const OrbKeypoint& corner : these) descriptors.push_back(corner.descriptor);
+    for (const OrbKeypoint& corner : those) features.emplace_back().descriptor = corner.descriptor;
+    return MatchDescriptors(descriptors, features, kFarthest, kUniqueness);
+  };
+  std::vector<int> back(to.size(), -1);
+  for (const Match& found : match(to, from)) back[found.landmark] = found.feature;
+  std::vector<const OrbKeypoint*> partners(from.size(), nullptr);
+  for (const Match& found : match(from, to)) {
+    if (back[found.feature] == found.landmark) partners[found.landmark] = &to[found.feature];
   }
   return partners;
 }
