@@ -92,16 +92,14 @@ struct Move {
   const char* name;
   double scale_x, scale_y, by_x, by_y;
 };
-constexpr std::array<Move, 10> kMoves = {{{"mirrored", -1, 1, 0, 0},
-                                          {"upside down", 1, -1, 0, 0},
-                                          {"farther left", 1, 1, -0.5, 0},
-                                          {"farther right", 1, 1, 0.5, 0},
-                                          {"higher", 1, 1, 0, -0.5},
-                                          {"lower", 1, 1, 0, 0.5},
-                                          {"scaled by 2/3", 0.667, 0.667, 0, 0},
-                                          {"scaled by 4/5", 0.8, 0.8, 0, 0},
-                                          {"scaled by 5/4", 1.25, 1.25, 0, 0},
-                                          {"scaled by 3/2", 1.5, 1.5, 0, 0}}};
+constexpr std::array<Move, 8> kMoves = {{{"mirrored", -1, 1, 0, 0},
+                                         {"upside down", 1, -1, 0, 0},
+                                         {"farther left", 1, 1, -0.5, 0},
+                                         {"farther right", 1, 1, 0.5, 0},
+                                         {"higher", 1, 1, 0, -0.5},
+                                         {"lower", 1, 1, 0, 0.5},
+                                         {"scaled by 2/3", 0.667, 0.667, 0, 0},
+                                         {"scaled by 5/4", 1.25, 1.25, 0, 0}}};
 
 Box Moved(const Box& box, const Move& move, const StereoCamera& camera) {
   const auto along = [](double low, double high, double scale, double by, int size_px) {
@@ -122,11 +120,12 @@ double MostShared(const Box& box, const std::vector<Box>& others) {
 // How much boxes differ from those of the frames beside theirs (or of others, at least five away).
 double Difference(const BoxesByFrame& boxes, bool next) {
   constexpr std::size_t kMostFar = 40;  // frames over the sequence that all are compared with
+  const std::size_t stride = boxes.size() / kMostFar + 1;
   std::vector<int> others;
-  for (const auto& [frame, of_frame] : boxes) others.push_back(frame);
-  const std::size_t stride = others.size() / kMostFar + 1;
-  std::erase_if(others, [&, i = std::size_t{0}](int) mutable { return i++ % stride > 0; });
   double sum = 0.0, count = 0.0;
+  for (std::size_t place = 0; const auto& [frame, of_frame] : boxes) {
+    if (place++ % stride == 0) others.push_back(frame);
+  }
   for (const auto& [frame, of_frame] : boxes) {
     if (next) others = {frame - 1, frame + 1};
     for (const int other : others) {
