@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <set>
 #include <tuple>
 
@@ -22,13 +21,14 @@ void Tell(const std::vector<std::string>& found, std::vector<std::string>& lines
   lines.push_back(found[0] + (others > 0 ? StrCat(", and ", others, " more like it") : ""));
 }
 
-// Finds a baseline that is most likely in another unit than metres, and a centre far from the
-// middle of the image or pixels far from square, as of numbers in another order.
+// Finds a baseline or a focal length that is most likely in another unit than metres and pixels,
+// and a centre far from the middle of the image or pixels far from square, as of another order.
 void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines) {
-  constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.3;
+  constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.3, kLeastFocal = 0.1;
   const Eigen::Array3d off(camera.cx / camera.width_px - 0.5, camera.cy / camera.height_px - 0.5,
                            camera.fx / camera.fy - 1.0);
-  if (camera.width_px > 0 && off.abs().maxCoeff() > kMostOff) {
+  if (camera.width_px > 0 &&
+      (off.abs().maxCoeff() > kMostOff || camera.fx < kLeastFocal * camera.width_px)) {
     lines.push_back(StrCat("calibration: fx ", camera.fx, ", fy ", camera.fy, ", cx ", camera.cx,
                            ", cy ", camera.cy, " px of a ", camera.width_px, "x", camera.height_px,
                            " image"));

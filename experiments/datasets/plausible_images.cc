@@ -221,8 +221,7 @@ std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
   return samples;
 }
 
-// A small copy of the left image of a frame without its mean, as exposures vary. Empty if it cannot
-// be decoded.
+// A small copy of a left image without its mean, as exposures vary; empty if it is damaged.
 cv::Mat Outline(const Sequence& sequence, std::size_t index) {
   const double scale = std::min(0.125, 160.0 / sequence.camera.width_px);
   cv::Mat image = LoadFrameImage(sequence, index, 0).grey;
@@ -245,9 +244,8 @@ void FindDisorder(const Sequence& sequence, const std::vector<Sample>& samples,
     std::vector<cv::Mat> row;
     for (std::size_t i = begin; i < std::min(begin + 4, sequence.images.size()); ++i) {
       row.push_back(Outline(sequence, i));
-      if (row.back().empty()) row.pop_back();
     }
-    if (row.size() < 4) continue;
+    if (row.size() < 4 || std::ranges::any_of(row, &cv::Mat::empty)) continue;
     std::array<std::size_t, 4> order = {0, 1, 2, 3};
     std::vector<double> lengths;
     do {
@@ -267,10 +265,9 @@ void FindDisorder(const Sequence& sequence, const std::vector<Sample>& samples,
                          " places, four frames in a row would differ less in another order"));
 }
 
-// Finds frames in the order of their numbers as text: 0, 1, 10, 11, ..., 2, 20. Where that is not
-// the order of the numbers, the next number would differ less than the next frame.
+// Finds frames in the order of their numbers as text: 0, 1, 10, 11, ..., 2, 20. In ten places where
+// that is not the order of the numbers, the next number would differ less than the next frame.
 void FindTextOrder(const Sequence& sequence, std::vector<std::string>& lines) {
-  constexpr std::size_t kMost = 10;  // places looked at
   for (const std::size_t first : {0, 1}) {
     std::vector<std::size_t> numbers(sequence.images.size());
     std::iota(numbers.begin(), numbers.end(), first);
@@ -279,7 +276,7 @@ void FindTextOrder(const Sequence& sequence, std::vector<std::string>& lines) {
       return static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin());
     };
     double given = 0.0, better = 0.0;
-    for (std::size_t k = first, looked = 0; k + 1 < first + numbers.size() && looked < kMost; ++k) {
+    for (std::size_t k = first, looked = 0; k + 1 < first + numbers.size() && looked < 10; ++k) {
       const std::size_t frame = frame_of(k), next = frame_of(k + 1);
       if (next == frame + 1 || frame + 1 == numbers.size()) continue;
       ++looked;
