@@ -147,8 +147,9 @@ constexpr double kSigmas = 2.5;  // what is nearer to the expected is noise
 void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, BoxesByFrame& boxes,
                      std::vector<std::string>& lines) {
   constexpr std::size_t kFewest = 12, kFewestCorners = 3;
-  constexpr double kLeastShared = 0.5, kLeastMove = 0.03, kLeastFar = 0.25, kMostNear = 0.9;
-  std::vector<double> shared, moves;
+  constexpr double kLeastShared = 0.5, kMostLost = 0.025;
+  constexpr double kLeastMove = 0.03, kLeastFar = 0.25, kMostNear = 0.9;
+  std::vector<double> shared, gains, moves;
   double lost = 0.0;  // less those that won
   for (const SeenFrame& seen : frames) {
     const std::vector<Box>& later = boxes[seen.later].all;
@@ -163,13 +164,14 @@ void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, Box
       const double u = Median(u_px), v = Median(v_px);
       shared.push_back(MostShared(
           {box.left_px + u, box.top_px + v, box.right_px + u, box.bottom_px + v}, later));
-      const double gain = shared.back() - MostShared(box, later);
-      lost += gain < 0.0 ? 1.0 : gain > 0.0 ? -1.0 : 0.0;
+      gains.push_back(shared.back() - MostShared(box, later));
+      lost += gains.back() < 0.0 ? 1.0 : gains.back() > 0.0 ? -1.0 : 0.0;
       moves.push_back(std::hypot(u, v) / std::min(box.Width(), box.Height()));
     }
   }
   if (shared.size() < kFewest) return;
-  const bool against = lost > kSigmas * std::sqrt(static_cast<double>(shared.size()));
+  const bool against =
+      Median(gains) < -kMostLost && lost > kSigmas * std::sqrt(static_cast<double>(gains.size()));
   if (!against && MeanOf(moves) <= kLeastMove && Median(shared) >= kLeastShared) return;
   const double near = Difference(boxes, true), far = Difference(boxes, false);
   if (!against && (far <= kLeastFar || near <= kMostNear * far)) return;
