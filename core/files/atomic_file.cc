@@ -25,6 +25,7 @@
 namespace cvo {
 
 namespace fs = std::filesystem;
+
 void ThrowErrno(const fs::path& file, const char* action, int error) {
   throw Error(StrCat(file.string(), ": cannot ", action, ": ", std::strerror(error)));
 }
@@ -79,10 +80,12 @@ constexpr std::string_view kMark = ".tmp-";
 constexpr std::size_t kDigits = 16;
 constexpr std::string_view kHex = "0123456789abcdef";
 
-bool IsOld(const fs::path& path) {  // no write takes a day
+// Whether the writer of a temporary must have been killed, as no write takes this long.
+bool IsOld(const fs::path& path) {
+  constexpr std::chrono::hours kLongest(24);
   std::error_code gone;
   const fs::file_time_type written = fs::last_write_time(path, gone);
-  return !gone && fs::file_time_type::clock::now() - written > std::chrono::hours(24);
+  return !gone && fs::file_time_type::clock::now() - written > kLongest;
 }
 
 void RemoveWhere(const fs::path& folder, const std::function<bool(const fs::path&)>& goes) {
@@ -95,16 +98,6 @@ void RemoveWhere(const fs::path& folder, const std::function<bool(const fs::path
 }
 
 constexpr std::size_t kPendingBytes = std::size_t{1} << 18U;  // small parts are combined
-
-StagedFile Staged(const fs::path& target, const std::function<void(const TextSink&)>& write) {
-  StagedFile file(target);
-  write([&file](std::string_view part) { file.Append(part); });
-  file.Complete();
-  return file;
-}
-StagedFile Staged(const fs::path& target, std::string_view content) {
-  return Staged(target, [content](const TextSink& sink) { sink(content); });
-}
 
 void SyncFolder(const fs::path& folder) {
   const FileDescriptor opened(folder, O_RDONLY | O_DIRECTORY);
@@ -219,7 +212,9 @@ void StagedFiles::Add(const std::string& name, const std::function<void(const Te
       ::mkdir((folder_ / parent).c_str(), 0777) != 0 && errno != EEXIST) {
     ThrowErrno(folder_ / parent, "create the folder", errno);
   }
-  files_.push_back(Staged(folder_ / name, write));
+  StagedFile file(folder_ / name);
+  write([&file](std::string_view part) { file.Append(part); });
+  Add(std::move(file));
 }
 
 void StagedFiles::Add(StagedFile begun) {
@@ -257,21 +252,22 @@ OutputFolder::OutputFolder(fs::path folder, const std::vector<std::string>& name
   if (error) ThrowErrno(folder_, "create the folder", error.value());
   RemoveLeftovers(folder_);
   for (const std::string& name : names) {
-    const bool wanted = name.ends_with('/');
-    const fs::path path = folder_ / name.substr(0, name.size() - (wanted ? 1 : 0));
+    const bool is_folder = name.ends_with('/');
+    const char* expected = is_folder ? "a folder or nothing" : "a file or nothing";
+    const fs::path path = folder_ / name.substr(0, name.size() - (is_folder ? 1 : 0));
     const fs::file_status status = fs::symlink_status(path, error);
-    if (fs::is_directory(status) != wanted && fs::exists(status)) {
+    const bool is_device = fs::is_other(fs::status(path, error));
+    if (is_device) ThrowError(path.string(), "a pipe or a device", expected);
+    if (fs::is_directory(status) && !is_folder) ThrowError(path.string(), "a folder", expected);
+    if (fs::exists(status) && !fs::is_directory(status) && is_folder) {
       // Old files in the folder will be removed; behind a link, they would belong to someone else.
-      if (!wanted) ThrowError(path.string(), "a folder", "a file or nothing");
-      ThrowError(path.string(), fs::is_symlink(status) ? "a link" : "a file",
-                 "a folder or nothing");
+      ThrowError(path.string(), fs::is_symlink(status) ? "a link" : "a file", expected);
     }
-    if (fs::is_other(fs::status(path, error))) {
-      ThrowError(path.string(), "a pipe or a device", "a file or nothing");
-    }
-    if (wanted) RemoveLeftovers(path);
+    if (is_folder) RemoveLeftovers(path);
   }
-  (void)Staged(folder_ / (names.empty() ? "probe" : names.front()), std::string(4096, '\n'));
+  StagedFile probe(folder_ / (names.empty() ? "probe" : names.front()));
+  probe.Append(std::string(4096, '\n'));
+  probe.Complete();
 }
 
 OutputFolder::~OutputFolder() {

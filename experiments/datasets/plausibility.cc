@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <map>
 #include <set>
 #include <tuple>
 
@@ -23,13 +21,14 @@ void Tell(const std::vector<std::string>& found, std::vector<std::string>& lines
   lines.push_back(found[0] + (others > 0 ? StrCat(", and ", others, " more like it") : ""));
 }
 
-// Finds a baseline that is most likely in another unit than metres, and a centre far from the
-// middle of the image or pixels far from square, as of numbers in another order.
+// Finds a baseline or a focal length that is most likely in another unit than metres and pixels,
+// and a centre far from the middle of the image or pixels far from square, as of another order.
 void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines) {
-  constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.3;
+  constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.3, kLeastFocal = 0.1;
   const Eigen::Array3d off(camera.cx / camera.width_px - 0.5, camera.cy / camera.height_px - 0.5,
                            camera.fx / camera.fy - 1.0);
-  if (camera.width_px > 0 && off.abs().maxCoeff() > kMostOff) {
+  if (camera.width_px > 0 &&
+      (off.abs().maxCoeff() > kMostOff || camera.fx < kLeastFocal * camera.width_px)) {
     lines.push_back(StrCat("calibration: fx ", camera.fx, ", fy ", camera.fy, ", cx ", camera.cx,
                            ", cy ", camera.cy, " px of a ", camera.width_px, "x", camera.height_px,
                            " image"));
@@ -40,12 +39,6 @@ void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines
   lines.push_back(StrCat("calibration: a baseline of ", camera.baseline_m,
                          " m (in another unit?), where ", kShortest_m, " to ", kLongest_m,
                          " m are usual"));
-}
-
-void FindSlowRate(const std::vector<double>& steps_s, std::vector<std::string>& lines) {
-  constexpr double kLongest_s = 1.0;
-  const double step_s = Median(steps_s);
-  if (step_s > kLongest_s) lines.push_back(StrCat("times: a median of ", step_s, " s per frame"));
 }
 
 // Finds boxes in pixels of a larger image, such as one of twice the size.
@@ -114,50 +107,13 @@ void FindUnusable(const char* what, const std::vector<ObjectBox>& boxes,
   }
 }
 
-// Finds detections that are elsewhere than the labels of their class.
-void FindElsewhere(const Sequence& sequence, std::vector<std::string>& lines) {
-  constexpr double kLeastOverlap = 0.3;
-  constexpr double kLeastHeight_px = 40.0;
-  constexpr std::size_t kFewest = 20;
-  constexpr double kLeast = 0.25;  // part of the labels
-  std::map<std::pair<int, std::string>, std::vector<const ObjectBox*>> detections;
-  std::set<std::string> classes;
-  for (const ObjectBox& box : sequence.detections) {
-    detections[{box.frame, box.type}].push_back(&box);
-    classes.insert(box.type);
-  }
-  const auto in_image = [](const ObjectBox& box) {
-    return ImageBox{box.left_px, box.top_px, box.right_px, box.bottom_px};
-  };
-  std::size_t labels = 0, found = 0;
-  for (const ObjectBox& label : sequence.labels) {
-    if (!classes.contains(label.type) || label.occlusion > 0 || label.truncation > 0.0 ||
-        label.bottom_px - label.top_px < kLeastHeight_px) {
-      continue;
-    }
-    const auto& of_frame = detections[{label.frame, label.type}];
-    if (of_frame.empty()) continue;  // missed
-    ++labels;
-    found += std::ranges::any_of(of_frame, [&](const auto* box) {
-      return IntersectionOverUnion(in_image(*box), in_image(label)) >= kLeastOverlap;
-    });
-  }
-  if (labels < kFewest || static_cast<double>(found) >= kLeast * static_cast<double>(labels))
-    return;
-  lines.push_back(StrCat("detections: only ", found, " of ", labels,
-                         " labelled bodies in view have a box (of another image or frame?)"));
-}
-
 void FindDoubled(const char* what, const std::vector<ObjectBox>& boxes,
                  std::vector<std::string>& lines) {
-  std::set<std::tuple<int, std::string, double, double, double, double>> seen;
-  std::size_t doubled = 0;
+  std::set<std::tuple<int, std::string, double, double, double, double>> different;
   for (const ObjectBox& box : boxes) {
-    const bool fresh =
-        seen.insert({box.frame, box.type, box.left_px, box.top_px, box.right_px, box.bottom_px})
-            .second;
-    doubled += fresh ? 0 : 1;
+    different.insert({box.frame, box.type, box.left_px, box.top_px, box.right_px, box.bottom_px});
   }
+  const std::size_t doubled = boxes.size() - different.size();
   constexpr double kMost = 0.05;
   if (static_cast<double>(doubled) <= kMost * static_cast<double>(boxes.size())) return;
   lines.push_back(StrCat(what, ": ", doubled, " of ", boxes.size(), " boxes repeat another one"));
@@ -168,10 +124,10 @@ void FindOneFrame(const Sequence& sequence, const char* what, const std::vector<
                   std::vector<std::string>& lines) {
   constexpr std::size_t kFewest = 10;  // boxes and frames
   if (std::min(boxes.size(), sequence.images.size()) < kFewest) return;
-  const int frame = boxes[0].frame;
-  const auto other = [frame](const ObjectBox& box) { return box.frame != frame; };
-  if (std::ranges::any_of(boxes, other)) return;
-  lines.push_back(StrCat(what, ": all ", boxes.size(), " boxes are of frame ", frame));
+  for (const ObjectBox& box : boxes) {
+    if (box.frame != boxes[0].frame) return;
+  }
+  lines.push_back(StrCat(what, ": all ", boxes.size(), " boxes are of frame ", boxes[0].frame));
 }
 
 // Finds values beyond what KITTI defines, and boxes in 3D that are elsewhere than those in the
@@ -299,7 +255,7 @@ void RefuseImpossible(const Sequence& sequence) {
 }
 
 std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated) {
-  constexpr double kMostRepeated = 0.05;
+  constexpr double kMostRepeated = 0.05, kSlowest_s = 1.0;
   std::vector<std::string> lines = sequence.notes;
   FindCalibration(sequence.camera, lines);
   for (const auto& [what, boxes] :
@@ -312,19 +268,19 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
     FindOddBoxes(sequence, what, *boxes, lines);
     FindOneBased(sequence, what, *boxes, lines);
   }
-  FindElsewhere(sequence, lines);
   const std::size_t frames = sequence.images.size();
   if (static_cast<double>(repeated) > kMostRepeated * static_cast<double>(frames)) {
     lines.push_back(StrCat("images: ", repeated, " of ", frames, " frames repeat the one before"));
   }
   const std::vector<double> steps_s = TimeSteps(sequence);
   if (steps_s.empty()) return lines;
-  FindSlowRate(steps_s, lines);
+  const double step_s = Median(steps_s);
+  if (step_s > kSlowest_s) lines.push_back(StrCat("times: a median of ", step_s, " s per frame"));
   FindGaps(sequence, steps_s, lines);
   FindJumps(sequence, steps_s, lines);
   const bool rendered = std::filesystem::exists(sequence.folder / "manifest.json");
   if (!rendered && PerturbationToJson(sequence.perturbation).empty()) {
-    FindInImages(sequence, Median(steps_s), lines);
+    FindInImages(sequence, step_s, lines);
   }
   return lines;
 }

@@ -59,14 +59,14 @@ double NearerPart(const std::vector<double>& inside_px, std::vector<double> arou
   return below / static_cast<double>(inside_px.size() * around_px.size());
 }
 
-// For each box, how often what it shows is nearer than what is beside or above it: always, of a
-// body that stands alone; in half of the pairs, of a box anywhere; never, if nothing is seen in it.
-std::vector<double> Fits(const std::vector<Eigen::Vector3d>& points,
-                         const std::vector<Box>& boxes) {
+// For each of the best boxes, how often what it shows is nearer than what is beside or above it,
+// but in no other box: always, of a body that stands alone; in half of the pairs, of a box
+// anywhere; never, if nothing is seen in it.
+std::vector<double> Fits(const std::vector<Eigen::Vector3d>& points, const BoxesOfFrame& boxes) {
   constexpr double kMargin = 0.3;  // of the size of the box
   constexpr std::size_t kFewest = 3;
   std::vector<double> fits;
-  for (const Box& box : boxes) {
+  for (const Box& box : boxes.best) {
     if (IsSmall(box)) continue;
     Box around = box.Shrunk(-kMargin);
     around.bottom_px = box.bottom_px;
@@ -76,7 +76,7 @@ std::vector<double> Fits(const std::vector<Eigen::Vector3d>& points,
       const auto has = [&](const Box& other) { return other.Contains(point.x(), point.y()); };
       if (has(box)) {
         inside_px.push_back(point.z());
-      } else if (std::ranges::none_of(boxes, has)) {
+      } else if (std::ranges::none_of(boxes.all, has)) {
         around_px.push_back(point.z());
       }
     }
@@ -92,16 +92,14 @@ struct Move {
   const char* name;
   double scale_x, scale_y, by_x, by_y;
 };
-constexpr std::array<Move, 10> kMoves = {{{"mirrored", -1, 1, 0, 0},
-                                          {"upside down", 1, -1, 0, 0},
-                                          {"farther left", 1, 1, -0.5, 0},
-                                          {"farther right", 1, 1, 0.5, 0},
-                                          {"higher", 1, 1, 0, -0.5},
-                                          {"lower", 1, 1, 0, 0.5},
-                                          {"scaled by 2/3", 0.667, 0.667, 0, 0},
-                                          {"scaled by 4/5", 0.8, 0.8, 0, 0},
-                                          {"scaled by 5/4", 1.25, 1.25, 0, 0},
-                                          {"scaled by 3/2", 1.5, 1.5, 0, 0}}};
+constexpr std::array<Move, 8> kMoves = {{{"mirrored", -1, 1, 0, 0},
+                                         {"upside down", 1, -1, 0, 0},
+                                         {"farther left", 1, 1, -0.5, 0},
+                                         {"farther right", 1, 1, 0.5, 0},
+                                         {"higher", 1, 1, 0, -0.5},
+                                         {"lower", 1, 1, 0, 0.5},
+                                         {"scaled by 2/3", 0.667, 0.667, 0, 0},
+                                         {"scaled by 5/4", 1.25, 1.25, 0, 0}}};
 
 Box Moved(const Box& box, const Move& move, const StereoCamera& camera) {
   const auto along = [](double low, double high, double scale, double by, int size_px) {
@@ -119,20 +117,30 @@ double MostShared(const Box& box, const std::vector<Box>& others) {
   return most;
 }
 
-// How much boxes differ from those of the next frame (or of others, at least five away).
+// How much boxes differ from those of the frames beside theirs (or of up to 40 over the sequence,
+// at least five away).
 double Difference(const BoxesByFrame& boxes, bool next) {
-  std::vector<double> differences;
+  std::vector<int> others;
+  double sum = 0.0, count = 0.0;
+  for (std::size_t place = 0; const auto& [frame, of_frame] : boxes) {
+    if (place++ % (boxes.size() / 40 + 1) == 0) others.push_back(frame);
+  }
   for (const auto& [frame, of_frame] : boxes) {
-    for (const auto& [other, of_other] : boxes) {
-      const int apart = std::abs(other - frame);
-      if (next ? apart != 1 : apart < 5) continue;
+    if (next) others = {frame - 1, frame + 1};
+    for (const int other : others) {
+      const auto found = boxes.find(other);
+      if (found == boxes.end() || found->second.all.empty()) continue;
+      if (!next && std::abs(other - frame) < 5) continue;
       for (const Box& box : of_frame.best) {
-        if (!of_other.all.empty()) differences.push_back(1.0 - MostShared(box, of_other.all));
+        sum += 1.0 - MostShared(box, found->second.all);
+        count += 1.0;
       }
     }
   }
-  return differences.empty() ? 0.0 : MeanOf(differences);
+  return count > 0.0 ? sum / count : 0.0;
 }
+
+constexpr double kSigmas = 2.5;  // what is nearer to the expected is noise
 
 // Finds boxes of other frames than the images. Moved as the corners in them move, they share less
 // with the boxes of a later frame than unmoved; or all frames differ about as much.
@@ -142,6 +150,7 @@ void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, Box
   constexpr double kLeastShared = 0.5, kMostLost = 0.025;
   constexpr double kLeastMove = 0.03, kLeastFar = 0.25, kMostNear = 0.9;
   std::vector<double> shared, gains, moves;
+  double lost = 0.0;  // less those that won
   for (const SeenFrame& seen : frames) {
     const std::vector<Box>& later = boxes[seen.later].all;
     for (const Box& box : boxes[seen.frame].best) {
@@ -156,14 +165,16 @@ void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, Box
       shared.push_back(MostShared(
           {box.left_px + u, box.top_px + v, box.right_px + u, box.bottom_px + v}, later));
       gains.push_back(shared.back() - MostShared(box, later));
+      lost += gains.back() < 0.0 ? 1.0 : gains.back() > 0.0 ? -1.0 : 0.0;
       moves.push_back(std::hypot(u, v) / std::min(box.Width(), box.Height()));
     }
   }
   if (shared.size() < kFewest) return;
+  const bool against =
+      Median(gains) < -kMostLost && lost > kSigmas * std::sqrt(static_cast<double>(gains.size()));
+  if (!against && MeanOf(moves) <= kLeastMove && Median(shared) >= kLeastShared) return;
   const double near = Difference(boxes, true), far = Difference(boxes, false);
-  const bool moving = MeanOf(moves) > kLeastMove || Median(shared) < kLeastShared;
-  const bool mixed = moving && far > kLeastFar && near > kMostNear * far;
-  if (Median(gains) >= -kMostLost && !mixed) return;
+  if (!against && (far <= kLeastFar || near <= kMostNear * far)) return;
   lines.push_back(StrCat(what, ": boxes that follow the images share ",
                          FormatFixed(100.0 * Median(shared), 0), " % with those of later frames, ",
                          FormatFixed(100.0 * (1.0 - near), 0), " % unmoved with the next, ",
@@ -175,14 +186,14 @@ void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, Box
 // By a sign test over frames, because the boxes of a frame depend on each other.
 void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frames, const char* what,
                    const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines) {
-  constexpr std::size_t kFewest = 12, kFewestFrames = 6;          // boxes, frames
-  constexpr double kLeast = 0.65, kBetter = 0.06, kSigmas = 2.5;  // 0.5 is chance, 0.7 YOLO's
+  constexpr std::size_t kFewest = 12, kFewestFrames = 6;  // boxes, frames
+  constexpr double kLeast = 0.65, kBetter = 0.06;         // 0.5 is chance, 0.7 YOLO's
   BoxesByFrame by_frame = SelectBoxes(boxes);
   FindOtherFrames(frames, what, by_frame, lines);
   std::vector<double> all;
   std::vector<std::vector<double>> given;
   for (const SeenFrame& seen : frames) {
-    given.push_back(Fits(seen.points, by_frame[seen.frame].best));
+    given.push_back(Fits(seen.points, by_frame[seen.frame]));
     all.insert(all.end(), given.back().begin(), given.back().end());
   }
   if (all.empty()) return;
@@ -192,8 +203,9 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
     std::vector<double> gains;
     double won = 0.0;  // less those that lost
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      std::vector<Box> moved = by_frame[frames[i].frame].best;
-      for (Box& box : moved) box = Moved(box, move, sequence.camera);
+      BoxesOfFrame moved = by_frame[frames[i].frame];
+      for (Box& box : moved.all) box = Moved(box, move, sequence.camera);
+      for (Box& box : moved.best) box = Moved(box, move, sequence.camera);
       const std::vector<double> fits = Fits(frames[i].points, moved);
       if (given[i].empty() || fits.empty()) continue;
       gains.push_back(MeanOf(fits) - MeanOf(given[i]));
@@ -207,7 +219,9 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
     better =
         StrCat("; more often by ", FormatFixed(100.0 * most, 0), " % if they were ", move.name);
   }
-  if (better.empty() && (all.size() < kFewest || MeanOf(all) >= kLeast)) return;
+  const double noise =
+      kSigmas * std::sqrt(SquaresAroundMean(all)) / static_cast<double>(all.size());
+  if (better.empty() && (all.size() < kFewest || MeanOf(all) + noise >= kLeast)) return;
   lines.push_back(StrCat(what, ": what boxes show is nearer than what is around them in only ",
                          FormatFixed(100.0 * MeanOf(all), 0), " % of comparisons", better));
 }

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/association/matching.h"
 #include "core/base/lists.h"
 #include "core/features/orb/orb.h"
 #include "core/files/text/number.h"
@@ -61,34 +63,23 @@ std::vector<Eigen::Vector3d> DisparitiesOf(const cv::Mat& left, const cv::Mat& r
   return points;
 }
 
-// Returns the corner that looks most like this one; nullptr if none is similar enough or another is
-// about as similar.
-const OrbKeypoint* MostAlike(const OrbKeypoint& corner, const Corners& others) {
-  constexpr int kFarthest = 64;        // of 256 bits
-  constexpr double kUniqueness = 0.8;  // best / second-best distance
-  int best = 257;
-  int second = 257;
-  const OrbKeypoint* alike = nullptr;
-  for (const OrbKeypoint& other : others) {
-    const int distance = HammingDistance(corner.descriptor, other.descriptor);
-    if (distance < best) {
-      second = best;
-      best = distance;
-      alike = &other;
-    } else {
-      second = std::min(second, distance);
-    }
-  }
-  return best <= kFarthest && best < kUniqueness * second ? alike : nullptr;
-}
-
-// For each corner of `from`, the one of `to` of which it is the most alike as well; null: none.
+// For each corner of `from`, the one of `to` if each is clearly the most similar to the other; or
+// null.
 std::vector<const OrbKeypoint*> MatchAnywhere(const Corners& from, const Corners& to) {
-  std::vector<const OrbKeypoint*> partners;
-  for (const OrbKeypoint& corner : from) {
-    const OrbKeypoint* partner = MostAlike(corner, to);
-    const bool mutual = partner != nullptr && MostAlike(*partner, from) == &corner;
-    partners.push_back(mutual ? partner : nullptr);
+  const auto match = [](const Corners& these, const Corners& those) {
+    constexpr int kFarthest = 64;        // of 256 bits
+    constexpr double kUniqueness = 0.8;  // best / second-best distance
+    std::vector<Descriptor> descriptors;
+    std::vector<StereoFeature> features;
+    for (const OrbKeypoint& corner : these) descriptors.push_back(corner.descriptor);
+    for (const OrbKeypoint& corner : those) features.emplace_back().descriptor = corner.descriptor;
+    return MatchDescriptors(descriptors, features, kFarthest, kUniqueness);
+  };
+  std::vector<int> back(to.size(), -1);
+  for (const Match& found : match(to, from)) back[found.landmark] = found.feature;
+  std::vector<const OrbKeypoint*> partners(from.size(), nullptr);
+  for (const Match& found : match(from, to)) {
+    if (back[found.feature] == found.landmark) partners[found.landmark] = &to[found.feature];
   }
   return partners;
 }
@@ -132,8 +123,9 @@ struct Sample {
   std::optional<PairCheck> pair;
   double depth_m = 0.0;
   double flow_px = 0.0;  // of the left image
-  // Of what depths and ground truth predict, over the motion. A quarter of the points fits better:
-  // others may be on moving bodies or matched wrongly. Empty: too little motion.
+  // Of what depths and ground truth predict, over the motion that is not due to the camera's turns,
+  // which would hide a wrong scale. A quarter of the points fits better: others may be on moving
+  // bodies or matched wrongly. Empty: too little motion.
   std::optional<double> error;
   bool still = false;  // the ground truth has the same pose for both
 };
@@ -151,14 +143,20 @@ void Predict(const StereoCamera& camera, const RigidTransform& later_from_camera
     const Eigen::Vector2d from = PixelOf(left[i]), to = PixelOf(*later[i]);
     const Eigen::Vector3d z_px(from.x(), from.y(), right[i]->u_px);
     if (camera.Disparity(z_px) < kLeastDisparity_px) continue;
-    const auto predicted = camera.Project(later_from_camera * *camera.BackProject(z_px));
+    const Eigen::Vector3d p_in_camera = *camera.BackProject(z_px);
+    const auto predicted = camera.Project(later_from_camera * p_in_camera);
+    const auto turned = camera.Project(later_from_camera.rotation() * p_in_camera);
     if (!all && !(predicted && camera.InImage(predicted->x(), predicted->y()))) continue;
     flows_px.push_back((to - from).norm());
     constexpr double kBehind_px = 1e9;
-    const double error_px = predicted ? (to - predicted->head<2>()).norm() : kBehind_px;
-    motions_px.push_back(
-        std::max(flows_px.back(), predicted ? (predicted->head<2>() - from).norm() : kBehind_px));
-    if (motions_px.back() >= kLeastFlow_px) errors.push_back(error_px / motions_px.back());
+    double error_px = kBehind_px, motion_px = kBehind_px;
+    if (predicted && turned) {
+      error_px = (to - predicted->head<2>()).norm();
+      motion_px =
+          std::max((to - turned->head<2>()).norm(), (*predicted - *turned).head<2>().norm());
+    }
+    motions_px.push_back(motion_px);
+    if (motion_px >= kLeastFlow_px) errors.push_back(error_px / motion_px);
   }
   if (flows_px.size() < kFewestMatches) return;
   sample.flow_px = Median(std::move(flows_px));
@@ -223,23 +221,31 @@ std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
   return samples;
 }
 
+// A small copy of a left image without its mean, as exposures vary; empty if it is damaged.
+cv::Mat Outline(const Sequence& sequence, std::size_t index) {
+  const double scale = std::min(0.125, 160.0 / sequence.camera.width_px);
+  cv::Mat image = LoadFrameImage(sequence, index, 0).grey;
+  if (image.empty()) return image;
+  cv::resize(image, image, cv::Size(), scale, scale, cv::INTER_AREA);
+  image.convertTo(image, CV_32F, 1.0, -cv::mean(image)[0]);
+  return image;
+}
+
+constexpr double kMostBetter = 1.05;  // by which neighbours may differ less in another order
+
 // Finds frames that are not in the order of time: of four in a row, neighbours would differ less in
 // another order. Of a camera that does not move, all orders are about equally good.
 void FindDisorder(const Sequence& sequence, const std::vector<Sample>& samples,
                   std::vector<std::string>& lines) {
-  constexpr double kFewest = 3.0, kMostBetter = 1.05;
-  const double scale = std::min(0.125, 160.0 / sequence.camera.width_px);
+  constexpr double kFewest = 3.0;
   double rows = 0.0, in_order = 0.0, given = 0.0, best = 0.0;
   for (const Sample& sample : samples) {
     const auto begin = static_cast<std::size_t>(sample.seen.frame - sequence.first_frame);
     std::vector<cv::Mat> row;
     for (std::size_t i = begin; i < std::min(begin + 4, sequence.images.size()); ++i) {
-      cv::Mat image = LoadFrameImage(sequence, i, 0).grey;
-      if (image.empty()) continue;
-      cv::resize(image, image, cv::Size(), scale, scale, cv::INTER_AREA);
-      image.convertTo(row.emplace_back(), CV_32F, 1.0, -cv::mean(image)[0]);  // exposures vary
+      row.push_back(Outline(sequence, i));
     }
-    if (row.size() < 4) continue;
+    if (row.size() < 4 || std::ranges::any_of(row, &cv::Mat::empty)) continue;
     std::array<std::size_t, 4> order = {0, 1, 2, 3};
     std::vector<double> lengths;
     do {
@@ -257,6 +263,35 @@ void FindDisorder(const Sequence& sequence, const std::vector<Sample>& samples,
   if (rows < kFewest || 2.0 * in_order >= rows || given <= kMostBetter * best) return;
   lines.push_back(StrCat("images: in ", rows - in_order, " of ", rows,
                          " places, four frames in a row would differ less in another order"));
+}
+
+// Finds frames in the order of their numbers as text: 0, 1, 10, 11, ..., 2, 20. In ten places where
+// that is not the order of the numbers, the next number would differ less than the next frame.
+void FindTextOrder(const Sequence& sequence, std::vector<std::string>& lines) {
+  for (const std::size_t first : {0, 1}) {
+    std::vector<std::size_t> numbers(sequence.images.size());
+    std::iota(numbers.begin(), numbers.end(), first);
+    std::ranges::sort(numbers, {}, [](std::size_t number) { return std::to_string(number); });
+    const auto frame_of = [&](std::size_t number) {
+      return static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin());
+    };
+    double given = 0.0, better = 0.0;
+    for (std::size_t k = first, looked = 0; k + 1 < first + numbers.size() && looked < 10; ++k) {
+      const std::size_t frame = frame_of(k), next = frame_of(k + 1);
+      if (next == frame + 1 || frame + 1 == numbers.size()) continue;
+      ++looked;
+      const cv::Mat at = Outline(sequence, frame);
+      const cv::Mat after = Outline(sequence, frame + 1), instead = Outline(sequence, next);
+      if (at.empty() || after.size() != at.size() || instead.size() != at.size()) continue;
+      given += cv::norm(at, after, cv::NORM_L1);
+      better += cv::norm(at, instead, cv::NORM_L1);
+    }
+    if (given <= kMostBetter * better) continue;
+    lines.push_back(StrCat(
+        "images: neighbours would differ by ", FormatFixed(100.0 * (1.0 - better / given), 0),
+        " % less in the order of numbers (sorted as text: ", first, ", 10, 11, ...?)"));
+    return;
+  }
 }
 
 // Finds contradictions between images, calibration and ground truth, in the median of the samples.
@@ -326,6 +361,7 @@ void FindInImages(const Sequence& sequence, double step_s, std::vector<std::stri
   std::vector<Sample> samples = SampleImages(sequence, step_s);
   FindContradictions(samples, lines);
   FindDisorder(sequence, samples, lines);
+  FindTextOrder(sequence, lines);
   std::vector<SeenFrame> frames;
   for (Sample& sample : samples) frames.push_back(std::move(sample.seen));
   FindMisplaced(sequence, frames, "detections", sequence.detections, lines);

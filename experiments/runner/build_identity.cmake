@@ -15,7 +15,7 @@ function(describe_commit folders result)
     if(NOT failed)
       set(commit "${head}")
       string(REPLACE "," ";" folders "${folders}")
-      execute_process(COMMAND ${GIT} -C "${ROOT}" status --porcelain -- ${folders}
+      execute_process(COMMAND ${GIT} -C "${ROOT}" status --porcelain -- ${folders} ":(exclude)*/plausib*"
                       OUTPUT_VARIABLE changes ERROR_QUIET)
       if(changes)
         string(APPEND commit "+changes")
