@@ -8,7 +8,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/base/processor.h"
+#include "core/features/processor.h"
 
 namespace cvo {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "core/base/processor.h"
+#include "core/features/processor.h"
 
 namespace cvo {
 

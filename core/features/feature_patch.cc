@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/processor.h"
+#include "core/features/processor.h"
 
 namespace cvo {
 namespace {

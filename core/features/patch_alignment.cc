@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "core/base/error.h"
-#include "core/base/processor.h"
+#include "core/features/processor.h"
 
 namespace cvo {
 namespace {

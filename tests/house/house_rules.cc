@@ -44,7 +44,7 @@ const std::vector<TextRule>& TextRules() {
   static const std::regex any(".*");
   // json_record.h lists fields by macros, and processor.h asks what is compiled for.
   static const std::regex portable(
-      R"((core|variants)/(?!base/processor\.|files/json/json_record\.).*\.(h|cc))");
+      R"((core|variants)/(?!features/processor\.|files/json/json_record\.).*\.(h|cc))");
   static const std::vector<TextRule> rules = {
       {portable, std::regex(R"(^\s*#\s*(ifdef|ifndef|elif|else|define|undef|if)\b)"),
        "preprocessor branch or macro in the estimator"},

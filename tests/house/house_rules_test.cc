@@ -120,7 +120,7 @@ TEST(ForbiddenText, IsFoundWhereARuleApplies) {
       {"core/base/a.h", "#ifdef X", false},
       {"variants/a.cc", "  # if X", false},
       {"core/base/a.cc", "#if defined(__x86_64__)", false},
-      {"core/base/processor.h", "#if defined(__x86_64__)", true},
+      {"core/features/processor.h", "#if defined(__x86_64__)", true},
       {"core/base/a.h", "#define X 1", false},
       {"core/base/a.h", "// #define X 1", true},
       {"CMakeLists.txt", std::string("add_compile_options(-march=") + "native)", false},

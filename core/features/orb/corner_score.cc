@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "core/base/processor.h"
+#include "core/features/processor.h"
 
 namespace cvo {
 namespace {

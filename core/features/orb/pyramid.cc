@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/processor.h"
+#include "core/features/processor.h"
 
 namespace cvo {
 namespace {
