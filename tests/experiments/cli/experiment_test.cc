@@ -268,7 +268,7 @@ TEST_F(CliExperiment, ADryRunListsJobsAndMissingSequences) {
 TEST(CliExperimentList, HasTheSizesOfSuites) {
   const ProcessResult list = RunProgram({"list", "suites"});
   EXPECT_EQ(list.exit_code, 0) << list.err;
-  EXPECT_THAT(list.out, testing::ContainsRegex("ablation +test +480 "));
+  EXPECT_THAT(list.out, testing::ContainsRegex("ablation +test +520 "));
 }
 
 constexpr const char* kSuite = R"({
