@@ -21,13 +21,17 @@ using Ints [[gnu::vector_size(sizeof(Floats))]] = std::int32_t;
 constexpr int kRows = 6;
 static_assert(kCrfTile % kRows == 0 && kCrfTile % kCrfLanes == 0);
 
-[[gnu::always_inline]] inline Floats Max(const Floats& a, const Floats& b) { return a > b ? a : b; }
+// Vectors are passed by reference: without AVX, values of them have no agreed place.
+[[gnu::always_inline]] inline void Raise(const Floats& least, Floats& x) {
+  x = x > least ? x : least;
+}
 
-// exp(x) for x in [-87, 0] with a relative error of 3e-7; 0 below `lowest`. Computed as 2^n times
-// the Taylor series of the remainder, whose magnitude is at most ln(2) / 2.
-[[gnu::always_inline]] inline Floats ExpOrZero(const Floats& x, float lowest) {
+// x = exp(x) for x in [-87, 0] with a relative error of 3e-7; 0 below `lowest`. Computed as 2^n
+// times the Taylor series of the remainder, whose magnitude is at most ln(2) / 2.
+[[gnu::always_inline]] inline void ExpOrZero(float lowest, Floats& x) {
   constexpr float kRounding = 12582912.0F;  // 1.5 * 2^23: once it is added, no fraction is left
-  const Floats kept = Max(x, Floats{} + lowest);
+  Floats kept = x;
+  Raise(Floats{} + lowest, kept);
   const Floats n = (kept * 1.44269504F + kRounding) - kRounding;
   // ln 2 is split into two parts, such that n times the first one is exact.
   const Floats r = (kept - n * 0.693359375F) + n * 2.12194440e-4F;
@@ -37,7 +41,7 @@ static_assert(kCrfTile % kRows == 0 && kCrfTile % kCrfLanes == 0);
     sum = sum * r + coefficient;
   }
   const Ints exponent = __builtin_convertvector(n, Ints) + 127;
-  return x < lowest ? Floats{} : sum * std::bit_cast<Floats>(exponent << 23);
+  x = x < lowest ? Floats{} : sum * std::bit_cast<Floats>(exponent << 23);
 }
 
 float Largest(const Floats& values) {
@@ -46,18 +50,19 @@ float Largest(const Floats& values) {
   return largest;
 }
 
-// Updates one node. Returns the elementwise maximum of `change` and |next - q|.
-[[gnu::always_inline]] inline Floats UpdateNode(const CrfUpdate& u, int node, Floats change) {
+// Updates one node. Raises `change` to |next - q|.
+[[gnu::always_inline]] inline void UpdateNode(const CrfUpdate& u, int node, Floats& change) {
   const std::ptrdiff_t end = u.blocks * u.stride + node;
   Floats best = Floats{} - std::numeric_limits<float>::infinity();
   for (std::ptrdiff_t at = node; at < end; at += u.stride) {
     u.next[at].label = u.weight[node] * u.message[at].label - u.energy[at].label;
-    best = Max(best, u.next[at].label);
+    Raise(u.next[at].label, best);
   }
   const float largest = Largest(best);
   Floats sums = {};
   for (std::ptrdiff_t at = node; at < end; at += u.stride) {
-    u.next[at].label = ExpOrZero(u.next[at].label - largest, kLowestCrfLogit);
+    u.next[at].label -= largest;
+    ExpOrZero(kLowestCrfLogit, u.next[at].label);
     sums += u.next[at].label;
   }
   float sum = 0.0F;
@@ -65,15 +70,13 @@ float Largest(const Floats& values) {
   for (std::ptrdiff_t at = node; at < end; at += u.stride) {
     u.next[at].label *= 1.0F / sum;
     const Floats moved = u.next[at].label - u.q[at].label;
-    change = Max(change, Max(moved, -moved));
+    Raise(moved, change);
+    Raise(-moved, change);
   }
-  return change;
 }
 
-[[gnu::always_inline]] inline Floats Load(const float* from) {
-  Floats values;
+[[gnu::always_inline]] inline void Load(const float* from, Floats& values) {
   std::memcpy(&values, from, sizeof(values));
-  return values;
 }
 
 }  // namespace
@@ -82,10 +85,15 @@ CVO_FOR_EACH_PROCESSOR
 void FillTile(const CrfTilePoints& rows, const CrfTilePoints& columns, float scale, CrfTile& tile) {
   for (int i = 0; i < kCrfTile; ++i) {
     for (int j = 0; j < kCrfTile; j += kCrfLanes) {
-      const Floats dx = Load(columns.x + j) - rows.x[i];
-      const Floats dy = Load(columns.y + j) - rows.y[i];
-      const Floats dz = Load(columns.z + j) - rows.z[i];
-      const Floats k = ExpOrZero((dx * dx + dy * dy + dz * dz) * -scale, kLowestCrfExponent);
+      Floats dx, dy, dz;
+      Load(columns.x + j, dx);
+      Load(columns.y + j, dy);
+      Load(columns.z + j, dz);
+      dx -= rows.x[i];
+      dy -= rows.y[i];
+      dz -= rows.z[i];
+      Floats k = (dx * dx + dy * dy + dz * dz) * -scale;
+      ExpOrZero(kLowestCrfExponent, k);
       std::memcpy(tile.k[i] + j, &k, sizeof(k));
     }
   }
@@ -118,7 +126,7 @@ void MultiplyTile(const CrfTile& tile, const CrfLanes* q_rows, const CrfLanes* q
 CVO_FOR_EACH_PROCESSOR
 float UpdateNodes(const CrfUpdate& update) {
   Floats change = {};
-  for (int node = 0; node < update.nodes; ++node) change = UpdateNode(update, node, change);
+  for (int node = 0; node < update.nodes; ++node) UpdateNode(update, node, change);
   return Largest(change);
 }
 
