@@ -3,7 +3,6 @@
 #include "core/clustering/crf_lanes.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -41,7 +40,7 @@ static_assert(kCrfTile % kRows == 0 && kCrfTile % kCrfLanes == 0);
     sum = sum * r + coefficient;
   }
   const Ints exponent = __builtin_convertvector(n, Ints) + 127;
-  x = x < lowest ? Floats{} : sum * std::bit_cast<Floats>(exponent << 23);
+  x = x < lowest ? Floats{} : sum * __builtin_bit_cast(Floats, exponent << 23);
 }
 
 float Largest(const Floats& values) {

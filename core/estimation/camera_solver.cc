@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <bitset>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -13,8 +13,9 @@ namespace cvo {
 
 namespace {
 
-// Factor on the gate when counting inliers of a RANSAC hypothesis: a minimal sample carries the
-// noise of its three points (two standard deviations of the sample for one of the measurement).
+// Factor on the gate for a pose that is nearly right, such as a RANSAC hypothesis: a minimal sample
+// carries the noise of its three points (two standard deviations of the sample for one of the
+// measurement).
 constexpr double kHypothesisGate = 4.0;
 
 std::vector<Eigen::Index> Inliers(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
@@ -102,16 +103,7 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
     }
   }
   if (best_support == 0) return std::nullopt;
-
-  // Refines only on the inliers of the hypothesis, because SolveCamera starts by trusting all its
-  // measurements.
-  std::vector<PointMeasurement> close;
-  for (std::size_t i = 0; i < measurements.size(); ++i) {
-    if (best.is_inlier[i]) close.push_back(measurements[i]);
-  }
-  const RigidTransform refined =
-      SolveCamera(camera, close, best.world_from_camera, noise).world_from_camera;
-  CameraSolution solution = ClassifyMeasurements(camera, measurements, refined, noise.gate);
+  CameraSolution solution = RefineCamera(camera, measurements, best.world_from_camera, noise);
   if (solution.inliers < min_inliers) return std::nullopt;
   return solution;
 }
@@ -166,28 +158,25 @@ CameraSolution ClassifyMeasurements(const StereoCamera& camera,
   return solution;
 }
 
-int CoveredCells(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
+int CoveredSpace(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
                  std::span<const char> is_inlier) {
-  constexpr int kSide = 12;
-  const auto cell = [](double z_px, int size_px) {
-    return std::clamp(static_cast<int>(z_px * kSide / size_px), 0, kSide - 1);
-  };
-  std::bitset<kSide * kSide> covered;
+  using Cube = std::array<std::int64_t, 3>;
+  std::vector<Cube> cubes;
   for (std::size_t i = 0; i < measurements.size(); ++i) {
     if (!is_inlier[i]) continue;
-    const Eigen::Vector3d& z_px = measurements[i].z_px;
-    const int index = kSide * cell(z_px[1], camera.height_px) + cell(z_px[0], camera.width_px);
-    covered.set(static_cast<std::size_t>(index));
+    const Eigen::Vector3d at = (measurements[i].p_in_world / camera.baseline_m).array().floor();
+    cubes.push_back({static_cast<std::int64_t>(at[0]), static_cast<std::int64_t>(at[1]),
+                     static_cast<std::int64_t>(at[2])});
   }
-  return static_cast<int>(covered.count());
+  std::ranges::sort(cubes);
+  return static_cast<int>(std::ranges::unique(cubes).begin() - cubes.begin());
 }
 
-CameraSolution SolveCamera(const StereoCamera& camera,
-                           std::span<const PointMeasurement> measurements,
-                           const RigidTransform& initial, const NoiseOptions& noise) {
-  CameraSolution solution;
-  solution.world_from_camera = initial;
-  solution.is_inlier.assign(measurements.size(), 1);
+namespace {
+
+// The first round uses the inliers of `solution`.
+CameraSolution Solve(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
+                     CameraSolution solution, const NoiseOptions& noise) {
   for (int round = 0; round < kRounds; ++round) {
     for (int iteration = 0; iteration < kIterationsPerRound; ++iteration) {
       const Eigen::Matrix3d R = solution.world_from_camera.RotationMatrix().transpose();
@@ -207,6 +196,22 @@ CameraSolution SolveCamera(const StereoCamera& camera,
     solution = ClassifyMeasurements(camera, measurements, solution.world_from_camera, noise.gate);
   }
   return solution;
+}
+
+}  // namespace
+
+CameraSolution SolveCamera(const StereoCamera& camera,
+                           std::span<const PointMeasurement> measurements,
+                           const RigidTransform& initial, const NoiseOptions& noise) {
+  return Solve(camera, measurements, {initial, std::vector<char>(measurements.size(), 1)}, noise);
+}
+
+CameraSolution RefineCamera(const StereoCamera& camera,
+                            std::span<const PointMeasurement> measurements,
+                            const RigidTransform& initial, const NoiseOptions& noise) {
+  return Solve(camera, measurements,
+               ClassifyMeasurements(camera, measurements, initial, kHypothesisGate * noise.gate),
+               noise);
 }
 
 }  // namespace cvo

@@ -39,16 +39,21 @@ struct CameraSolution {
 CameraSolution SolveCamera(const StereoCamera& camera,
                            std::span<const PointMeasurement> measurements,
                            const RigidTransform& initial, const NoiseOptions& noise);
+// The same from a pose that is nearly right: the first round, too, leaves out what contradicts it,
+// so that a body with more measurements than the scene does not draw the camera to itself.
+CameraSolution RefineCamera(const StereoCamera& camera,
+                            std::span<const PointMeasurement> measurements,
+                            const RigidTransform& initial, const NoiseOptions& noise);
 
 // Determines which measurements are inliers of the given camera pose.
 CameraSolution ClassifyMeasurements(const StereoCamera& camera,
                                     std::span<const PointMeasurement> measurements,
                                     const RigidTransform& world_from_camera, double gate);
 
-// Returns how much of the image the inliers cover: the number of cells of a 12 x 12 grid that
-// contain one. A moving body may have more measurements than the static scene, but it does not
-// cover more of the image.
-int CoveredCells(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
+// Returns how much of space the inliers cover: the number of cubes, with sides as long as the
+// baseline, that contain one. A near body may have more measurements than the static scene and
+// cover more of the image, but it is smaller.
+int CoveredSpace(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
                  std::span<const char> is_inlier);
 
 // Whitened residual of one measurement; empty if the point is behind the camera.
@@ -56,8 +61,7 @@ std::optional<Eigen::Vector3d> WhitenedError(const StereoCamera& camera,
                                              const PointMeasurement& measurement,
                                              const RigidTransform& camera_from_world);
 
-// Scores a hypothesis by its inliers: CoveredCells for a camera, CountInliers for a body, which may
-// lie in a single cell of the image.
+// Scores a hypothesis by its inliers: CoveredSpace for a camera, CountInliers for a body.
 using Support = int(const StereoCamera&, std::span<const PointMeasurement>,
                     std::span<const char> is_inlier);
 int CountInliers(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
@@ -66,7 +70,7 @@ int CountInliers(const StereoCamera& camera, std::span<const PointMeasurement> m
 // Estimates the camera pose without an initial guess from measurements that may contain many
 // outliers. Each hypothesis is a 3D-3D alignment of three triangulated points. The one with the
 // highest support among the measurements within the gate (widened for the noise of the sample) is
-// refined by SolveCamera. Empty if there is no hypothesis, or if the refined pose has fewer than
+// refined by RefineCamera. Empty if there is no hypothesis, or if the refined pose has fewer than
 // min_inliers inliers.
 std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
                                                 std::span<const PointMeasurement> measurements,

@@ -77,8 +77,8 @@ bool IsInDoubt(const Options& options, const std::vector<Match>& matches,
          solution.inliers < static_cast<int>(matches.size()) / 2;
 }
 
-// Solves for the camera around each candidate pose, and returns the solution whose inliers cover
-// most of the image, weighted by the share of inliers among the landmarks matched there.
+// Refines each candidate pose, and returns the one whose inliers cover most of space, weighted by
+// the share of inliers among the landmarks matched there.
 RigidTransform BestCovering(const Options& options, const Window& window, const FeatureGrid& grid,
                             std::span<const RigidTransform> candidates) {
   RigidTransform best = candidates.front();
@@ -88,9 +88,9 @@ RigidTransform BestCovering(const Options& options, const Window& window, const 
         options.NoiseOfFeatures(), window.landmarks, grid.features(),
         SearchAround(options, window, grid, candidate, options.matching.narrow_radius_px));
     const CameraSolution solution =
-        SolveCamera(window.camera, measurements, candidate, options.noise);
+        RefineCamera(window.camera, measurements, candidate, options.noise);
     const double share = solution.inliers / std::max(1.0, static_cast<double>(measurements.size()));
-    const double covered = share * CoveredCells(window.camera, measurements, solution.is_inlier);
+    const double covered = share * CoveredSpace(window.camera, measurements, solution.is_inlier);
     if (covered <= most) continue;
     most = covered;
     best = solution.world_from_camera;
@@ -116,7 +116,7 @@ std::optional<RigidTransform> FindWithoutPrediction(const Options& options, cons
   const auto solution = SolveCameraRansac(
       window.camera,
       MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
-      options.noise, CoveredCells, options.tracking.kRecoveryIterations,
+      options.noise, CoveredSpace, options.tracking.kRecoveryIterations,
       options.tracking.min_inliers, rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;
@@ -148,15 +148,13 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
                                        const FeatureGrid& grid, std::span<StereoFeature> features,
                                        const ExpectedCamera& expected, Rng& rng) {
   if (expected.is_given) return MatchAround(options, window, grid, expected.world_from_camera);
-  const auto solve = [&](const std::vector<Match>& matches, const RigidTransform& initial) {
-    return SolveCamera(
-        window.camera,
-        MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
-        initial, options.noise);
+  const auto measure = [&](const std::vector<Match>& matches) {
+    return MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches);
   };
   const std::vector<Match> wide = SearchAround(options, window, grid, expected.world_from_camera,
                                                options.matching.wide_radius_px);
-  const CameraSolution first = solve(wide, expected.world_from_camera);
+  const CameraSolution first =
+      SolveCamera(window.camera, measure(wide), expected.world_from_camera, options.noise);
   std::vector<RigidTransform> candidates = {first.world_from_camera, expected.world_from_camera};
   if (IsInDoubt(options, wide, first, expected)) {
     const auto found = FindWithoutPrediction(options, window, grid, rng);
@@ -169,7 +167,7 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
     AlignToLandmarks(options.orb.scale_factor, around.Inverse(), window.landmarks, narrow,
                      features);
   }
-  const CameraSolution second = solve(narrow, around);
+  const CameraSolution second = RefineCamera(window.camera, measure(narrow), around, options.noise);
   if (second.inliers < options.tracking.min_inliers) return std::nullopt;
   return CameraTrack{second.world_from_camera, Inliers(narrow, second),
                      static_cast<int>(narrow.size())};
