@@ -51,20 +51,38 @@ TEST(SolveCameraRansac, FindsTheCameraAmongSixtyPercentOfOutliers) {
   EXPECT_GE(solution->inliers, 55);
 }
 
-// A vehicle ahead has twice as many points as the scene, but covers only a small part of the image.
-TEST(SolveCameraRansac, PrefersInliersThatCoverMoreOfTheImage) {
-  Rng rng(6, "ransac");
+// A vehicle ahead that moves with the camera, has twice as many points as the scene, and covers
+// more of the image.
+std::vector<PointMeasurement> MeasureBehindVehicle(Rng& rng) {
   std::vector<PointMeasurement> measurements = Measure(100, 0, 0.3, rng);
   const RigidTransform other =
       kTruth * RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.0, 0.0, -0.8));
   for (int i = 0; i < 200; ++i) {
-    const Eigen::Vector3d p_in_camera(rng.Uniform(-1, 1), rng.Uniform(-1, 1), rng.Uniform(6, 7));
+    const Eigen::Vector3d p_in_camera(rng.Uniform(-1.5, 1.5), rng.Uniform(-1, 1),
+                                      rng.Uniform(4, 4.3));
     measurements.push_back(
         {other * p_in_camera, *kCamera.Project(p_in_camera), Eigen::Matrix3d::Identity()});
   }
+  return measurements;
+}
+
+TEST(SolveCameraRansac, PrefersInliersThatCoverMoreOfSpace) {
+  Rng rng(6, "ransac");
+  const auto measurements = MeasureBehindVehicle(rng);
   const auto solution = SolveCameraRansac(kCamera, measurements, {}, CoveredSpace, 300, 20, rng);
   ASSERT_TRUE(solution);
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
+}
+
+TEST(RefineCamera, IsNotDrawnToTheMotionOfMostPoints) {
+  Rng rng(6, "camera");
+  const auto measurements = MeasureBehindVehicle(rng);
+  const RigidTransform near =
+      kTruth * RigidTransform(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.0, 0.0, 0.02));
+  EXPECT_GT(kTruth.Minus(SolveCamera(kCamera, measurements, near, {}).world_from_camera).norm(),
+            0.5);
+  EXPECT_LT(kTruth.Minus(RefineCamera(kCamera, measurements, near, {}).world_from_camera).norm(),
+            0.02);
 }
 
 TEST(SolveCameraRansac, FindsNothingWithoutAgreement) {
