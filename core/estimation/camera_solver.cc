@@ -160,11 +160,13 @@ CameraSolution ClassifyMeasurements(const StereoCamera& camera,
 
 int CoveredSpace(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
                  std::span<const char> is_inlier) {
+  constexpr double kSide = 4.0;  // baselines
   using Cube = std::array<std::int64_t, 3>;
   std::vector<Cube> cubes;
   for (std::size_t i = 0; i < measurements.size(); ++i) {
     if (!is_inlier[i]) continue;
-    const Eigen::Vector3d at = (measurements[i].p_in_world / camera.baseline_m).array().floor();
+    const Eigen::Vector3d at =
+        (measurements[i].p_in_world / (kSide * camera.baseline_m)).array().floor();
     cubes.push_back({static_cast<std::int64_t>(at[0]), static_cast<std::int64_t>(at[1]),
                      static_cast<std::int64_t>(at[2])});
   }

@@ -50,9 +50,9 @@ CameraSolution ClassifyMeasurements(const StereoCamera& camera,
                                     std::span<const PointMeasurement> measurements,
                                     const RigidTransform& world_from_camera, double gate);
 
-// Returns how much of space the inliers cover: the number of cubes, with sides as long as the
-// baseline, that contain one. A near body may have more measurements than the static scene and
-// cover more of the image, but it is smaller.
+// Returns how much of space the inliers cover: the number of cubes, with sides of four baselines,
+// that contain one. A near body may have more measurements than the static scene and cover more of
+// the image, but it is smaller.
 int CoveredSpace(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
                  std::span<const char> is_inlier);
 
