@@ -102,14 +102,21 @@ recorded_figure = $(release)/bin/clustervo plot results/$(1) --only $(2) -o resu
 $(foreach goal,$(filter record record-quick,$(MAKECMDGOALS)),$(if $(DATA),$(info make $(goal): \
   $(call minutes,$(if $(filter record-quick,$(goal)),quick)) minutes on two idle cores (reports/record.txt)),\
   $(error make $(goal): give DATA=<KITTI folder>)))
+# Its section as it is recorded, and what follows from the sections.
+record_made = .ci/record-status $(record) $(release)/bin/clustervo true made && \
+  .ci/quote-record $(record) $$(grep -rl '^<!-- record: ' --include='*.md' README.md core experiments)
+recorded_section = awk '/^\#\# / {on = $$2 == "'$$suite'"} on' $(record)
 record: program ## DATA=<KITTI folder>: run what the documents quote; writes reports/RESULTS.md and their tables
-	@for suite in $(recorded); do $(call recorded_run,$$suite,results/$$suite) || exit 1; done
-	@{ sed '/^## /,$$d' $(record); for suite in $(recorded); do \
-	  printf '## %s\n\n' $$suite; $(call recorded_table,results/$$suite) || test $$? -eq 1 || exit 2; echo; \
-	  case $$suite in pareto*) $(call recorded_figure,$$suite,pareto);; esac; \
-	done; } > $(record).new && mv $(record).new $(record)
-	@.ci/record-status $(record) $(release)/bin/clustervo true made
-	@.ci/quote-record $(record) $$(grep -rl '^<!-- record: ' --include='*.md' README.md core experiments)
+	@build=$$($(release)/bin/clustervo --version | sed -n 's/^build *\(.\{12\}\).*/\1/p'); \
+	for suite in $(recorded); do \
+	  ! $(recorded_section) | grep -q "; build $$build$$" || continue; \
+	  $(call recorded_run,$$suite,results/$$suite) || exit 1; \
+	  { sed "/^## $$suite$$/,\$$d" $(record); \
+	    printf '## %s\n\n' $$suite; $(call recorded_table,results/$$suite) || test $$? -eq 1 || exit 2; echo; \
+	    case $$suite in pareto*) $(call recorded_figure,$$suite,pareto);; esac; \
+	    awk '/^## / && on == 1 {on = 2} $$0 == "## '$$suite'" {on = 1} on == 2' $(record); \
+	  } > $(record).new && mv $(record).new $(record) && $(record_made) || exit 1; \
+	done
 
 record-quick: program ## DATA=<KITTI folder>: run a sample of the record again and compare: results/record_quick
 	@mkdir -p results/record_quick; code=0; for suite in $(sampled); do \
