@@ -258,7 +258,7 @@ TEST(Record, TellsOfWhatBuildItIs) {
   EXPECT_THAT(state("true", ""), HasSubstr("the record holds."));
   baseline(2, 3);
   EXPECT_THAT(state("true", ""), HasSubstr("values have moved, make record."));
-  EXPECT_THAT(state("true", "made"), HasSubstr("Of another build: a (111111111111)."));
+  EXPECT_THAT(state("true", "made"), HasSubstr("Of build 111111111111: a."));
 }
 
 }  // namespace
