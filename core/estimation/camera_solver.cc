@@ -171,7 +171,7 @@ int CoveredSpace(const StereoCamera& camera, std::span<const PointMeasurement> m
                      static_cast<std::int64_t>(at[2])});
   }
   std::ranges::sort(cubes);
-  return static_cast<int>(std::ranges::unique(cubes).begin() - cubes.begin());
+  return static_cast<int>(std::unique(cubes.begin(), cubes.end()) - cubes.begin());
 }
 
 namespace {
