@@ -102,10 +102,11 @@ recorded_figure = $(release)/bin/clustervo plot results/$(1) --only $(2) -o resu
 $(foreach goal,$(filter record record-quick,$(MAKECMDGOALS)),$(if $(DATA),$(info make $(goal): \
   $(call minutes,$(if $(filter record-quick,$(goal)),quick)) minutes on two idle cores (reports/record.txt)),\
   $(error make $(goal): give DATA=<KITTI folder>)))
-# Its section as it is recorded, and what follows from the sections.
+# The section of $suite in the record.
+recorded_section = awk '/^\#\# / {on = $$2 == "'$$suite'"} on' $(record)
+# What follows from all sections: the line on top and the documents' tables.
 record_made = .ci/record-status $(record) $(release)/bin/clustervo true made && \
   .ci/quote-record $(record) $$(grep -rl '^<!-- record: ' --include='*.md' README.md core experiments)
-recorded_section = awk '/^\#\# / {on = $$2 == "'$$suite'"} on' $(record)
 record: program ## DATA=<KITTI folder>: run what the documents quote; writes reports/RESULTS.md and their tables
 	@build=$$($(release)/bin/clustervo --version | sed -n 's/^build *\(.\{12\}\).*/\1/p'); \
 	for suite in $(recorded); do \
