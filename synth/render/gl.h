@@ -121,8 +121,8 @@ void CheckGl(const Gl& gl, const char* where);
 // it. The constructor makes it current in the calling thread.
 class GlContext {
  public:
-  // Throws Error if such a context cannot be created. `threads` as in Renderer.
-  explicit GlContext(int threads);
+  // Throws Error if such a context cannot be created.
+  GlContext();
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;

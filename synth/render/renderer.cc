@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// Guaranteed and tested: the same bytes from run to run and for any number of rasteriser threads,
-// with the same Mesa and LLVM on the same processor. Mesa is restricted to AVX and 256-bit vectors
-// so that other processors with AVX should give these bytes as well, which has not been tested. Not
-// guaranteed: another version of Mesa or LLVM, or another architecture. Without AVX, Error is
-// thrown. GL_RENDERER shows the vector width but not the instruction set, so it goes unnoticed if
-// the process has already made a context with other settings.
+// Guaranteed and tested: the same bytes from run to run, with the same Mesa and LLVM on the same
+// processor. Mesa is restricted to AVX and 256-bit vectors so that other processors with AVX should
+// give these bytes as well, which has not been tested. Not guaranteed: another version of Mesa or
+// LLVM, or another architecture. Without AVX, Error is thrown. GL_RENDERER shows the vector width
+// but not the instruction set, so it goes unnoticed if the process has already made a context with
+// other settings.
 #include "synth/render/renderer.h"
 
 #include <Eigen/Geometry>
@@ -38,16 +38,11 @@ void CheckWorld(const World& world) {
 
 enum Eye { kLeft, kRight };
 
-// The passes over a world that make up a rendering. Results are best read after all passes have
-// been drawn: the rasteriser works on one pass while the next is prepared.
+// The passes over a world that make up a rendering.
 class Passes {
  public:
-  Passes(const World& world, int threads)
-      : context_(threads),
-        gl_(context_.gl()),
-        rig_(world.rig),
-        rig_error_(world.rig_error),
-        light_(world.light) {
+  explicit Passes(const World& world)
+      : gl_(context_.gl()), rig_(world.rig), rig_error_(world.rig_error), light_(world.light) {
     CheckWorld(world);
     for (const Mesh& mesh : world.meshes) meshes_.push_back(UploadMesh(gl_, mesh));
     for (const cv::Mat& texture : world.textures) textures_.push_back(UploadTexture(gl_, texture));
@@ -327,8 +322,8 @@ struct Renderer::State {
   std::vector<Body> bodies;
 };
 
-Renderer::Renderer(const World& world, int threads)
-    : state_(new State{Passes(world, threads), world.rig, world.bodies}) {}
+Renderer::Renderer(const World& world)
+    : state_(new State{Passes(world), world.rig, world.bodies}) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -357,6 +352,6 @@ void Renderer::DrawImages(const View& view, cv::Mat& left, cv::Mat& right) {
   passes.Check();
 }
 
-RendererVersion FindRendererVersion() { return GlContext(1).Version(); }
+RendererVersion FindRendererVersion() { return GlContext().Version(); }
 
 }  // namespace cvo::synth

@@ -39,14 +39,13 @@ struct RendererVersion {
   }
 };
 
-// Renders a world with OpenGL in software (OSMesa). The output has the same bytes for any number of
-// threads; the notes in renderer.cc say on which processors. A renderer may only be used by the
-// thread that created it.
+// Renders a world with OpenGL in software (OSMesa). It draws in the calling
+// thread, which must be the one that created it; the notes in renderer.cc say on which processors
+// the output has the same bytes.
 class Renderer {
  public:
-  // Throws Error if this build has no OSMesa or a context cannot be created. `threads` is the
-  // number of rasteriser threads of the whole process; the first renderer determines it.
-  Renderer(const World& world, int threads);
+  // Throws Error if this build has no OSMesa or a context cannot be created.
+  explicit Renderer(const World& world);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;

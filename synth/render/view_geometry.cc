@@ -170,7 +170,7 @@ namespace {
 
 struct Renderer::State {};
 
-Renderer::Renderer(const World&, int) { ThrowMissing(); }
+Renderer::Renderer(const World&) { ThrowMissing(); }
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;

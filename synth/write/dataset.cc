@@ -226,8 +226,8 @@ void WriteDataset(const DatasetSource& source, const RenderRequest& request,
   build.Commit(manifest, Existing::kReplace);
 }
 
-DrawingTools OpenRenderer(const World& world, int threads) {
-  const auto renderer = std::make_shared<Renderer>(world, threads);
+DrawingTools OpenRenderer(const World& world) {
+  const auto renderer = std::make_shared<Renderer>(world);
   return {[renderer](const View& view) { return renderer->Draw(view); },
           [renderer](const View& view, cv::Mat& left, cv::Mat& right) {
             renderer->DrawImages(view, left, right);
@@ -244,9 +244,7 @@ DatasetSource SourceOf(const SceneDescription& scene, const RenderRequest& reque
   source.detectors = ReadDetectors(scene.detector(), scene.where(), request.detector_levels);
   source.version = FindRendererVersion();
   source.build_world = [scene, threads = request.threads] { return BuildWorld(scene, threads); };
-  source.open_tools = [threads = request.threads](const World& world) {
-    return OpenRenderer(world, threads);
-  };
+  source.open_tools = OpenRenderer;
   return source;
 }
 

@@ -114,7 +114,7 @@ void WriteDataset(const DatasetSource& source, const RenderRequest& request,
                   const std::filesystem::path& folder);
 
 // Opens a renderer of `world`, which must outlive it. It belongs to the calling thread.
-DrawingTools OpenRenderer(const World& world, int threads);
+DrawingTools OpenRenderer(const World& world);
 
 // Prepares a scene for WriteDataset. Throws Error for a mistake in its sensor or detector section,
 // and if this build cannot render (see Renderer).
