@@ -39,9 +39,9 @@ struct RendererVersion {
   }
 };
 
-// Renders a world with OpenGL in software (OSMesa). It draws in the calling
-// thread, which must be the one that created it; the notes in renderer.cc say on which processors
-// the output has the same bytes.
+// Renders a world with OpenGL in software (OSMesa). It draws in the calling thread, which must be
+// the one that created it. The notes in renderer.cc say on which processors the output has the same
+// bytes.
 class Renderer {
  public:
   // Throws Error if this build has no OSMesa or a context cannot be created.
