@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numeric>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
@@ -221,70 +223,109 @@ std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
   return samples;
 }
 
-// A small copy of a left image without its mean, as exposures vary; empty if it is damaged.
-cv::Mat Outline(const Sequence& sequence, std::size_t index) {
-  const double scale = std::min(0.125, 160.0 / sequence.camera.width_px);
-  cv::Mat image = LoadFrameImage(sequence, index, 0).grey;
-  if (image.empty()) return image;
-  cv::resize(image, image, cv::Size(), scale, scale, cv::INTER_AREA);
-  image.convertTo(image, CV_32F, 1.0, -cv::mean(image)[0]);
-  return image;
-}
-
 constexpr double kMostBetter = 1.05;  // by which neighbours may differ less in another order
 
-// Finds frames that are not in the order of time: of four in a row, neighbours would differ less in
+// Small copies of the left images without their means, as exposures vary.
+class Outlines {
+ public:
+  explicit Outlines(const Sequence& sequence) : sequence_(sequence) {}
+
+  // By how much two frames differ; endlessly if one is damaged.
+  double Apart(std::size_t one, std::size_t other) {
+    const cv::Mat a = Find(one), b = Find(other);
+    if (a.empty() || a.size() != b.size()) return std::numeric_limits<double>::infinity();
+    return cv::norm(a, b, cv::NORM_L1);
+  }
+
+ private:
+  const cv::Mat& Find(std::size_t index) {
+    const auto [found, is_new] = outlines_.try_emplace(index);
+    cv::Mat& image = found->second;
+    if (is_new) image = LoadFrameImage(sequence_, index, 0).grey;
+    if (!is_new || image.empty()) return image;
+    const double scale = std::min(0.125, 160.0 / sequence_.camera.width_px);
+    cv::resize(image, image, cv::Size(), scale, scale, cv::INTER_AREA);
+    image.convertTo(image, CV_32F, 1.0, -cv::mean(image)[0]);
+    return image;
+  }
+
+  const Sequence& sequence_;
+  std::map<std::size_t, cv::Mat> outlines_;
+};
+
+// Finds neighbours that are swapped: of four frames in a row, neighbours would differ less in
 // another order. Of a camera that does not move, all orders are about equally good.
-void FindDisorder(const Sequence& sequence, const std::vector<Sample>& samples,
-                  std::vector<std::string>& lines) {
-  constexpr double kFewest = 3.0;
+bool FindSwapped(const std::vector<std::size_t>& frames, Outlines& outlines,
+                 std::vector<std::string>& lines) {
   double rows = 0.0, in_order = 0.0, given = 0.0, best = 0.0;
-  for (const Sample& sample : samples) {
-    const auto begin = static_cast<std::size_t>(sample.seen.frame - sequence.first_frame);
-    std::vector<cv::Mat> row;
-    for (std::size_t i = begin; i < std::min(begin + 4, sequence.images.size()); ++i) {
-      row.push_back(Outline(sequence, i));
-    }
-    if (row.size() < 4 || std::ranges::any_of(row, &cv::Mat::empty)) continue;
-    std::array<std::size_t, 4> order = {0, 1, 2, 3};
+  for (std::size_t at = 0; at + 3 < frames.size(); at += 2) {
+    if (frames[at + 3] != frames[at] + 3) continue;
+    std::array<std::size_t, 4> row = {frames[at], frames[at + 1], frames[at + 2], frames[at + 3]};
     std::vector<double> lengths;
     do {
-      lengths.push_back(0.0);
-      for (std::size_t i = 1; i < row.size(); ++i) {
-        lengths.back() += cv::norm(row[order[i - 1]], row[order[i]], cv::NORM_L1);
-      }
-    } while (std::ranges::next_permutation(order).found);
+      lengths.push_back(outlines.Apart(row[0], row[1]) + outlines.Apart(row[1], row[2]) +
+                        outlines.Apart(row[2], row[3]));
+    } while (std::ranges::next_permutation(row).found);
     const double shortest = std::ranges::min(lengths);
+    if (!std::isfinite(shortest)) continue;
     rows += 1.0;
     in_order += lengths[0] <= shortest ? 1.0 : 0.0;
     given += lengths[0];
     best += shortest;
   }
-  if (rows < kFewest || 2.0 * in_order >= rows || given <= kMostBetter * best) return;
+  constexpr double kFewest = 3.0;
+  if (rows < kFewest || 2.0 * in_order >= rows || given <= kMostBetter * best) return false;
   lines.push_back(StrCat("images: in ", rows - in_order, " of ", rows,
                          " places, four frames in a row would differ less in another order"));
+  return true;
+}
+
+// Finds frames that are more like one that is elsewhere than like a neighbour.
+void FindElsewhere(const std::vector<std::size_t>& frames, Outlines& outlines,
+                   std::vector<std::string>& lines) {
+  constexpr double kMostNearer = 1.15, kMost = 0.15;
+  constexpr std::size_t kNear = 3;  // frames, within which speeds vary
+  double looked = 0.0, elsewhere = 0.0;
+  for (std::size_t at = 1; at + 1 < frames.size(); ++at) {
+    const std::size_t frame = frames[at];
+    if (frames[at - 1] + 1 != frame || frames[at + 1] != frame + 1) continue;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const std::size_t other : frames) {
+      if (std::max(frame, other) - std::min(frame, other) > kNear) {
+        nearest = std::min(nearest, outlines.Apart(frame, other));
+      }
+    }
+    const double step = std::max(outlines.Apart(frame, frame - 1), outlines.Apart(frame, frame + 1));
+    if (!std::isfinite(step) || !std::isfinite(nearest)) continue;
+    looked += 1.0;
+    elsewhere += step > kMostNearer * nearest ? 1.0 : 0.0;
+  }
+  if (elsewhere <= kMost * looked) return;
+  lines.push_back(StrCat("images: ", elsewhere, " of ", looked,
+                         " frames are more like one elsewhere than like the one beside them "
+                         "(another order?)"));
 }
 
 // Finds frames in the order of their numbers as text: 0, 1, 10, 11, ..., 2, 20. In ten places where
 // that is not the order of the numbers, the next number would differ less than the next frame.
-void FindTextOrder(const Sequence& sequence, std::vector<std::string>& lines) {
+void FindTextOrder(std::size_t frames, Outlines& outlines, std::vector<std::string>& lines) {
   for (const std::size_t first : {0, 1}) {
-    std::vector<std::size_t> numbers(sequence.images.size());
+    std::vector<std::size_t> numbers(frames);
     std::iota(numbers.begin(), numbers.end(), first);
     std::ranges::sort(numbers, {}, [](std::size_t number) { return std::to_string(number); });
     const auto frame_of = [&](std::size_t number) {
       return static_cast<std::size_t>(std::ranges::find(numbers, number) - numbers.begin());
     };
     double given = 0.0, better = 0.0;
-    for (std::size_t k = first, looked = 0; k + 1 < first + numbers.size() && looked < 10; ++k) {
+    for (std::size_t k = first, looked = 0; k + 1 < first + frames && looked < 10; ++k) {
       const std::size_t frame = frame_of(k), next = frame_of(k + 1);
-      if (next == frame + 1 || frame + 1 == numbers.size()) continue;
+      if (next == frame + 1 || frame + 1 == frames) continue;
       ++looked;
-      const cv::Mat at = Outline(sequence, frame);
-      const cv::Mat after = Outline(sequence, frame + 1), instead = Outline(sequence, next);
-      if (at.empty() || after.size() != at.size() || instead.size() != at.size()) continue;
-      given += cv::norm(at, after, cv::NORM_L1);
-      better += cv::norm(at, instead, cv::NORM_L1);
+      const double after = outlines.Apart(frame, frame + 1);
+      const double instead = outlines.Apart(frame, next);
+      if (!std::isfinite(after) || !std::isfinite(instead)) continue;
+      given += after;
+      better += instead;
     }
     if (given <= kMostBetter * better) continue;
     lines.push_back(StrCat(
@@ -292,6 +333,21 @@ void FindTextOrder(const Sequence& sequence, std::vector<std::string>& lines) {
         " % less in the order of numbers (sorted as text: ", first, ", 10, 11, ...?)"));
     return;
   }
+}
+
+// Finds frames that are not in the order of time: of the first ones, those from the middle on, and
+// the last ones.
+void FindDisorder(const Sequence& sequence, std::vector<std::string>& lines) {
+  constexpr std::size_t kInARow = 25;
+  const std::size_t count = sequence.images.size();
+  std::vector<std::size_t> frames;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool middle = i >= count / 2 && i < count / 2 + kInARow;
+    if (i < kInARow || middle || i + kInARow >= count) frames.push_back(i);
+  }
+  Outlines outlines(sequence);
+  if (!FindSwapped(frames, outlines, lines)) FindElsewhere(frames, outlines, lines);
+  FindTextOrder(count, outlines, lines);
 }
 
 // Finds contradictions between images, calibration and ground truth, in the median of the samples.
@@ -360,8 +416,7 @@ std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence) {
 void FindInImages(const Sequence& sequence, double step_s, std::vector<std::string>& lines) {
   std::vector<Sample> samples = SampleImages(sequence, step_s);
   FindContradictions(samples, lines);
-  FindDisorder(sequence, samples, lines);
-  FindTextOrder(sequence, lines);
+  FindDisorder(sequence, lines);
   std::vector<SeenFrame> frames;
   for (Sample& sample : samples) frames.push_back(std::move(sample.seen));
   FindMisplaced(sequence, frames, "detections", sequence.detections, lines);
