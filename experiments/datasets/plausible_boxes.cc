@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -117,39 +118,52 @@ double MostShared(const Box& box, const std::vector<Box>& others) {
   return most;
 }
 
-// How much boxes differ from those of the frames beside theirs (or of up to 40 over the sequence,
-// at least five away).
-double Difference(const BoxesByFrame& boxes, bool next) {
-  std::vector<int> others;
+// How much boxes differ from those `by` frames later; nothing where few frames have any.
+std::optional<double> Difference(const BoxesByFrame& boxes, int by) {
+  constexpr double kFewest = 12.0;
   double sum = 0.0, count = 0.0;
-  for (std::size_t place = 0; const auto& [frame, of_frame] : boxes) {
-    if (place++ % (boxes.size() / 40 + 1) == 0) others.push_back(frame);
-  }
   for (const auto& [frame, of_frame] : boxes) {
-    if (next) others = {frame - 1, frame + 1};
-    for (const int other : others) {
-      const auto found = boxes.find(other);
-      if (found == boxes.end() || found->second.all.empty()) continue;
-      if (!next && std::abs(other - frame) < 5) continue;
-      for (const Box& box : of_frame.best) {
-        sum += 1.0 - MostShared(box, found->second.all);
-        count += 1.0;
-      }
+    const auto later = boxes.find(frame + by);
+    if (later == boxes.end() || later->second.all.empty()) continue;
+    for (const Box& box : of_frame.best) {
+      sum += 1.0 - MostShared(box, later->second.all);
+      count += 1.0;
     }
   }
-  return count > 0.0 ? sum / count : 0.0;
+  if (count < kFewest) return std::nullopt;
+  return sum / count;
+}
+
+// Finds boxes that are not in the order of time: those of the next frame are no more like them than
+// those of other frames.
+void FindShuffled(const BoxesByFrame& boxes, const char* what, std::vector<std::string>& lines) {
+  constexpr int kFarthest = 25;
+  constexpr double kMostNearer = 0.8, kMostAlike = 0.9, kLeast = 0.25;
+  const std::optional<double> next = Difference(boxes, 1);
+  if (!next) return;
+  double least = *next, most = 0.0;
+  int nearest = 1;
+  for (int by = 2; by <= kFarthest; ++by) {
+    const std::optional<double> there = Difference(boxes, by);
+    if (!there) break;
+    most = std::max(most, *there);
+    if (*there < least) least = *there, nearest = by;
+  }
+  if (least >= kMostNearer * *next && (most < kLeast || *next < kMostAlike * most)) return;
+  lines.push_back(StrCat(what, ": boxes share ", FormatFixed(100.0 * (1.0 - *next), 0),
+                         " % with those of the next frame, ", FormatFixed(100.0 * (1.0 - least), 0),
+                         " % with those ", nearest, " frames later (another order?)"));
 }
 
 constexpr double kSigmas = 2.5;  // what is nearer to the expected is noise
 
-// Finds boxes of other frames than the images. Moved as the corners in them move, they share less
-// with the boxes of a later frame than unmoved; or all frames differ about as much.
+// Finds boxes of other frames than the images: moved as the corners in them move, they share less
+// with the boxes of a later frame than unmoved.
 void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, BoxesByFrame& boxes,
                      std::vector<std::string>& lines) {
   constexpr std::size_t kFewest = 12, kFewestCorners = 3;
-  constexpr double kLeastShared = 0.5, kMostLost = 0.025;
-  constexpr double kLeastMove = 0.03, kLeastFar = 0.25, kMostNear = 0.9;
-  std::vector<double> shared, gains, moves;
+  constexpr double kMostLost = 0.025;
+  std::vector<double> shared, gains;
   double lost = 0.0;  // less those that won
   for (const SeenFrame& seen : frames) {
     const std::vector<Box>& later = boxes[seen.later].all;
@@ -166,19 +180,16 @@ void FindOtherFrames(const std::vector<SeenFrame>& frames, const char* what, Box
           {box.left_px + u, box.top_px + v, box.right_px + u, box.bottom_px + v}, later));
       gains.push_back(shared.back() - MostShared(box, later));
       lost += gains.back() < 0.0 ? 1.0 : gains.back() > 0.0 ? -1.0 : 0.0;
-      moves.push_back(std::hypot(u, v) / std::min(box.Width(), box.Height()));
     }
   }
-  if (shared.size() < kFewest) return;
-  const bool against =
-      Median(gains) < -kMostLost && lost > kSigmas * std::sqrt(static_cast<double>(gains.size()));
-  if (!against && MeanOf(moves) <= kLeastMove && Median(shared) >= kLeastShared) return;
-  const double near = Difference(boxes, true), far = Difference(boxes, false);
-  if (!against && (far <= kLeastFar || near <= kMostNear * far)) return;
-  lines.push_back(StrCat(what, ": boxes that follow the images share ",
-                         FormatFixed(100.0 * Median(shared), 0), " % with those of later frames, ",
-                         FormatFixed(100.0 * (1.0 - near), 0), " % unmoved with the next, ",
-                         FormatFixed(100.0 * (1.0 - far), 0), " % with far ones (another order?)"));
+  if (shared.size() < kFewest || Median(gains) > -kMostLost ||
+      lost < kSigmas * std::sqrt(static_cast<double>(gains.size()))) {
+    return;
+  }
+  lines.push_back(
+      StrCat(what, ": boxes that follow the images share ", FormatFixed(100.0 * Median(shared), 0),
+             " % with those of later frames, by ", FormatFixed(-100.0 * Median(gains), 0),
+             " % less than if they stay (of other frames?)"));
 }
 
 }  // namespace
@@ -188,7 +199,9 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
                    const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines) {
   constexpr std::size_t kFewest = 12, kFewestFrames = 6;  // boxes, frames
   constexpr double kLeast = 0.65, kBetter = 0.06;         // 0.5 is chance, 0.7 YOLO's
+  constexpr double kBetterFrame = 0.05, kSigmasFrame = 2.5;
   BoxesByFrame by_frame = SelectBoxes(boxes);
+  FindShuffled(by_frame, what, lines);
   FindOtherFrames(frames, what, by_frame, lines);
   std::vector<double> all;
   std::vector<std::vector<double>> given;
@@ -197,27 +210,42 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
     all.insert(all.end(), given.back().begin(), given.back().end());
   }
   if (all.empty()) return;
-  double most = kBetter;
+  double most = 0.0;
   std::string better;
-  for (const Move& move : kMoves) {
+  // Whether the boxes that `other` gives for a frame fit better, by a sign test.
+  const auto compare = [&](const auto& other, double least, double sigmas,
+                           const std::string& where) {
     std::vector<double> gains;
     double won = 0.0;  // less those that lost
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      BoxesOfFrame moved = by_frame[frames[i].frame];
-      for (Box& box : moved.all) box = Moved(box, move, sequence.camera);
-      for (Box& box : moved.best) box = Moved(box, move, sequence.camera);
-      const std::vector<double> fits = Fits(frames[i].points, moved);
+      const std::vector<double> fits = Fits(frames[i].points, other(frames[i].frame));
       if (given[i].empty() || fits.empty()) continue;
       gains.push_back(MeanOf(fits) - MeanOf(given[i]));
       won += gains.back() > 0.0 ? 1.0 : -1.0;
     }
-    if (gains.size() < kFewestFrames || MeanOf(gains) <= most ||
-        won < kSigmas * std::sqrt(static_cast<double>(gains.size()))) {
-      continue;
+    if (gains.size() < kFewestFrames || MeanOf(gains) <= std::max(least, most) ||
+        won < sigmas * std::sqrt(static_cast<double>(gains.size()))) {
+      return;
     }
     most = MeanOf(gains);
-    better =
-        StrCat("; more often by ", FormatFixed(100.0 * most, 0), " % if they were ", move.name);
+    better = StrCat("; more often by ", FormatFixed(100.0 * most, 0), " % if they were ", where);
+  };
+  for (const Move& move : kMoves) {
+    const auto moved = [&](int frame) {
+      BoxesOfFrame boxes_there = by_frame[frame];
+      for (Box& box : boxes_there.all) box = Moved(box, move, sequence.camera);
+      for (Box& box : boxes_there.best) box = Moved(box, move, sequence.camera);
+      return boxes_there;
+    };
+    compare(moved, kBetter, kSigmas, move.name);
+  }
+  for (const int by : {3, 5, 10, 20, -3, -5, -10, -20}) {
+    const auto of_other = [&](int frame) {
+      const auto found = by_frame.find(frame + by);
+      return found == by_frame.end() ? BoxesOfFrame() : found->second;
+    };
+    compare(of_other, kBetterFrame, kSigmasFrame,
+            StrCat("those of ", std::abs(by), " frames ", by > 0 ? "later" : "earlier"));
   }
   const double noise =
       kSigmas * std::sqrt(SquaresAroundMean(all)) / static_cast<double>(all.size());

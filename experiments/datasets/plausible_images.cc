@@ -116,6 +116,7 @@ std::optional<PairCheck> CheckPair(const Corners& left,
 }
 
 constexpr double kLeastFlow_px = 3.0;  // less tells nothing
+constexpr double kLeastMove_px = 8.0;  // of corners in boxes, which detectors place less well
 
 // What the images of a frame and a later one tell: medians over corners.
 struct Sample {
@@ -130,7 +131,28 @@ struct Sample {
   // bodies or matched wrongly. Empty: too little motion.
   std::optional<double> error;
   bool still = false;  // the ground truth has the same pose for both
+  // How much smaller row errors are with the right image of the frame before and of the next one.
+  std::array<std::optional<double>, 2> gains_px;
+  bool upside_down = false;  // what is seen below is farther than what is seen above
 };
+
+// Whether points in the lowest third of the image have smaller disparities than those in the
+// highest third.
+bool IsUpsideDown(const Corners& left, const std::vector<const OrbKeypoint*>& right,
+                  int height_px) {
+  constexpr std::size_t kFewest = 10;
+  constexpr double kMost = 0.8;
+  std::vector<double> above_px, below_px;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    if (right[i] == nullptr) continue;
+    const double disparity_px = left[i].u_px - right[i]->u_px;
+    if (3.0 * left[i].v_px < height_px) above_px.push_back(disparity_px);
+    if (3.0 * left[i].v_px > 2.0 * height_px) below_px.push_back(disparity_px);
+  }
+  if (std::min(above_px.size(), below_px.size()) < kFewest) return false;
+  const double above = Median(std::move(above_px));
+  return above > 0.0 && Median(std::move(below_px)) < kMost * above;
+}
 
 // Compares the corners of a frame, triangulated, with where the ground truth puts them later.
 // Points that it moves out of view were matched wrongly, if it is not far off: they count if `all`
@@ -167,6 +189,12 @@ void Predict(const StereoCamera& camera, const RigidTransform& later_from_camera
   sample.error = errors[errors.size() / 4];
 }
 
+double MedianMove_px(const SeenFrame& seen) {
+  std::vector<double> moves_px;
+  for (const auto& [from, to] : seen.moves) moves_px.push_back((to - from).norm());
+  return moves_px.empty() ? 0.0 : Median(std::move(moves_px));
+}
+
 // Looks at frame i, and at one that is apart[0] frames later; at apart[1] if too little moves.
 Sample SampleFrame(const Sequence& sequence, std::size_t i,
                    const std::array<std::size_t, 2>& apart) {
@@ -181,7 +209,16 @@ Sample SampleFrame(const Sequence& sequence, std::size_t i,
   sample.dark = !left.small.empty() && (left.corners.empty() || left.brightest < kDark);
   sample.rich = left.corners.size() >= kMany;
   sample.pair = CheckPair(left.corners, partners);
-  if (!sequence.detections.empty() || !sequence.labels.empty()) {
+  sample.upside_down = IsUpsideDown(left.corners, partners, sequence.camera.height_px);
+  for (const std::size_t k : {0, 1}) {
+    const std::size_t beside = i + 2 * k - 1;
+    if (!sample.pair || beside >= sequence.images.size()) continue;
+    const auto other =
+        CheckPair(left.corners, MatchAnywhere(left.corners, See(sequence, beside, 1).corners));
+    if (other) sample.gains_px[k] = sample.pair->row_error_px - other->row_error_px;
+  }
+  const bool boxes = !sequence.detections.empty() || !sequence.labels.empty();
+  if (boxes) {
     const double scale = static_cast<double>(left.small.cols) / sequence.camera.width_px;
     sample.seen.points = DisparitiesOf(left.small, right.small, scale);
   }
@@ -190,14 +227,19 @@ Sample SampleFrame(const Sequence& sequence, std::size_t i,
   }
   for (const bool first : {true, false}) {
     const std::size_t then = i + apart[first ? 0 : 1];
-    if (sample.error || then >= sequence.images.size()) break;
+    const bool predict = !sample.error && truth[i];
+    const bool follow = boxes && MedianMove_px(sample.seen) < kLeastMove_px;
+    if (then >= sequence.images.size() || !(predict || follow)) break;
     const Corners corners = See(sequence, then, 0).corners;
     const std::vector<const OrbKeypoint*> later = MatchAnywhere(left.corners, corners);
-    if (first) sample.seen.later = sequence.first_frame + static_cast<int>(then);
-    for (std::size_t c = 0; first && c < later.size(); ++c) {
-      if (later[c]) sample.seen.moves.emplace_back(PixelOf(left.corners[c]), PixelOf(*later[c]));
+    if (follow) {
+      sample.seen.later = sequence.first_frame + static_cast<int>(then);
+      sample.seen.moves.clear();
+      for (std::size_t c = 0; c < later.size(); ++c) {
+        if (later[c]) sample.seen.moves.emplace_back(PixelOf(left.corners[c]), PixelOf(*later[c]));
+      }
     }
-    if (!truth[i] || !truth[then]) break;
+    if (!predict || !truth[then]) continue;
     const RigidTransform later_from_camera = truth[then]->Inverse() * *truth[i];
     Predict(sequence.camera, later_from_camera, first, left.corners, partners, later, sample);
     sample.still = truth[then]->Minus(*truth[i]).norm() == 0.0;
@@ -258,7 +300,7 @@ class Outlines {
 bool FindSwapped(const std::vector<std::size_t>& frames, Outlines& outlines,
                  std::vector<std::string>& lines) {
   double rows = 0.0, in_order = 0.0, given = 0.0, best = 0.0;
-  for (std::size_t at = 0; at + 3 < frames.size(); at += 2) {
+  for (std::size_t at = 0; at + 3 < frames.size(); ++at) {
     if (frames[at + 3] != frames[at] + 3) continue;
     std::array<std::size_t, 4> row = {frames[at], frames[at + 1], frames[at + 2], frames[at + 3]};
     std::vector<double> lengths;
@@ -295,7 +337,8 @@ void FindElsewhere(const std::vector<std::size_t>& frames, Outlines& outlines,
         nearest = std::min(nearest, outlines.Apart(frame, other));
       }
     }
-    const double step = std::max(outlines.Apart(frame, frame - 1), outlines.Apart(frame, frame + 1));
+    const double step =
+        std::max(outlines.Apart(frame, frame - 1), outlines.Apart(frame, frame + 1));
     if (!std::isfinite(step) || !std::isfinite(nearest)) continue;
     looked += 1.0;
     elsewhere += step > kMostNearer * nearest ? 1.0 : 0.0;
@@ -308,7 +351,7 @@ void FindElsewhere(const std::vector<std::size_t>& frames, Outlines& outlines,
 
 // Finds frames in the order of their numbers as text: 0, 1, 10, 11, ..., 2, 20. In ten places where
 // that is not the order of the numbers, the next number would differ less than the next frame.
-void FindTextOrder(std::size_t frames, Outlines& outlines, std::vector<std::string>& lines) {
+bool FindTextOrder(std::size_t frames, Outlines& outlines, std::vector<std::string>& lines) {
   for (const std::size_t first : {0, 1}) {
     std::vector<std::size_t> numbers(frames);
     std::iota(numbers.begin(), numbers.end(), first);
@@ -331,8 +374,9 @@ void FindTextOrder(std::size_t frames, Outlines& outlines, std::vector<std::stri
     lines.push_back(StrCat(
         "images: neighbours would differ by ", FormatFixed(100.0 * (1.0 - better / given), 0),
         " % less in the order of numbers (sorted as text: ", first, ", 10, 11, ...?)"));
-    return;
+    return true;
   }
+  return false;
 }
 
 // Finds frames that are not in the order of time: of the first ones, those from the middle on, and
@@ -346,8 +390,30 @@ void FindDisorder(const Sequence& sequence, std::vector<std::string>& lines) {
     if (i < kInARow || middle || i + kInARow >= count) frames.push_back(i);
   }
   Outlines outlines(sequence);
-  if (!FindSwapped(frames, outlines, lines)) FindElsewhere(frames, outlines, lines);
-  FindTextOrder(count, outlines, lines);
+  if (FindSwapped(frames, outlines, lines) || FindTextOrder(count, outlines, lines)) return;
+  FindElsewhere(frames, outlines, lines);
+}
+
+constexpr std::size_t kFewestSamples = 5;
+
+// Describes right images that are of other frames: all samples but one have smaller row errors with
+// those of the frame before, or of the next one. Empty: they are not.
+std::string DescribeLate(const std::vector<Sample>& samples) {
+  constexpr double kLeast_px = 0.02;
+  for (const std::size_t k : {0, 1}) {
+    std::vector<double> gains_px;
+    for (const Sample& sample : samples) {
+      if (sample.gains_px[k]) gains_px.push_back(*sample.gains_px[k]);
+    }
+    const auto won = std::ranges::count_if(gains_px, [](double px) { return px > 0.0; });
+    if (gains_px.size() < kFewestSamples || won + 1 < std::ssize(gains_px)) continue;
+    const double gain_px = Median(std::move(gains_px));
+    if (gain_px < kLeast_px) continue;
+    return StrCat("stereo pair: rows differ by ", FormatFixed(gain_px, 2),
+                  " px less with the right image of the frame ", k == 0 ? "before" : "after",
+                  " (right images of other frames?)");
+  }
+  return "";
 }
 
 // Finds contradictions between images, calibration and ground truth, in the median of the samples.
@@ -378,6 +444,7 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
   const auto apart = std::ranges::count_if(
       samples, [](const Sample& sample) { return sample.rich && !sample.pair; });
   const auto dark = std::ranges::count_if(samples, &Sample::dark);
+  const auto upside_down = std::ranges::count_if(samples, &Sample::upside_down);
   if (most(dark)) {
     lines.push_back(StrCat("images: ", dark, " of ", samples.size(),
                            " looked at are nearly black or show no corner (10 to 14 bits in files "
@@ -386,9 +453,15 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
     lines.push_back("stereo pair: the left and right images show nothing in common");
   } else if (most(problems.size())) {
     lines.push_back("stereo pair: " + problems[0]);
+  } else if (const std::string late = DescribeLate(samples); !late.empty()) {
+    lines.push_back(late);
   } else if (most(rows_px.size()) && Median(rows_px) > kMostRows_px) {
     lines.push_back(StrCat("stereo pair: points lie ", FormatFixed(Median(rows_px), 1),
                            " px apart in rows (right images of other frames, or not rectified?)"));
+  } else if (samples.size() >= kFewestSamples && upside_down + 1 >= std::ssize(samples)) {
+    lines.push_back(StrCat("images: in ", upside_down, " of ", samples.size(),
+                           " looked at, what is below is farther than what is above (upside "
+                           "down?)"));
   } else if (most(depths_m.size()) &&
              !(Median(depths_m) > kNearest_m && Median(depths_m) < kFarthest_m)) {
     lines.push_back(StrCat("calibration: a median depth of ", FormatGeneral(Median(depths_m), 3),
