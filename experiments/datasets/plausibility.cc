@@ -27,8 +27,13 @@ void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines
   constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.3, kLeastFocal = 0.1;
   const Eigen::Array3d off(camera.cx / camera.width_px - 0.5, camera.cy / camera.height_px - 0.5,
                            camera.fx / camera.fy - 1.0);
+  const double to_width =
+      std::abs(camera.cx - 0.5 * camera.width_px) - std::abs(camera.cy - 0.5 * camera.width_px);
+  const double to_height =
+      std::abs(camera.cy - 0.5 * camera.height_px) - std::abs(camera.cx - 0.5 * camera.height_px);
+  const bool swapped = to_width + to_height > 0.0;
   if (camera.width_px > 0 &&
-      (off.abs().maxCoeff() > kMostOff || camera.fx < kLeastFocal * camera.width_px)) {
+      (swapped || off.abs().maxCoeff() > kMostOff || camera.fx < kLeastFocal * camera.width_px)) {
     lines.push_back(StrCat("calibration: fx ", camera.fx, ", fy ", camera.fy, ", cx ", camera.cx,
                            ", cy ", camera.cy, " px of a ", camera.width_px, "x", camera.height_px,
                            " image"));
@@ -130,18 +135,36 @@ void FindOneFrame(const Sequence& sequence, const char* what, const std::vector<
   lines.push_back(StrCat(what, ": all ", boxes.size(), " boxes are of frame ", boxes[0].frame));
 }
 
+// What the image shows of a box in 3D: the box around its corners. Empty behind the camera.
+ImageBox InImage(const StereoCamera& camera, const ObjectBox::Box3d& box, double left_offset_m) {
+  const double cosine = std::cos(box.heading_rad), sine = std::sin(box.heading_rad);
+  ImageBox seen = {camera.width_px - 1.0, camera.height_px - 1.0, 0.0, 0.0};
+  for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    const double along = (corner & 1 ? 0.5 : -0.5) * box.length_m;
+    const double across = (corner & 2 ? 0.5 : -0.5) * box.width_m;
+    const Eigen::Vector3d at =
+        box.bottom_in_camera + Eigen::Vector3d(left_offset_m + cosine * along + sine * across,
+                                               corner & 4 ? -box.height_m : 0.0,
+                                               cosine * across - sine * along);
+    if (at.z() <= 0.0) return {};
+    const double u_px = camera.fx * at.x() / at.z() + camera.cx;
+    const double v_px = camera.fy * at.y() / at.z() + camera.cy;
+    seen = {std::min(seen.left_px, u_px), std::min(seen.top_px, v_px),
+            std::max(seen.right_px, u_px), std::max(seen.bottom_px, v_px)};
+  }
+  return {std::max(seen.left_px, 0.0), std::max(seen.top_px, 0.0),
+          std::min(seen.right_px, camera.width_px - 1.0),
+          std::min(seen.bottom_px, camera.height_px - 1.0)};
+}
+
 // Finds values beyond what KITTI defines, and boxes in 3D that are elsewhere than those in the
-// image.
+// image, or of another size.
 void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<ObjectBox>& boxes,
                   std::vector<std::string>& lines) {
-  constexpr double kMost = 0.2;
   constexpr std::size_t kFewest = 5;
-  constexpr double kLowest = 0.5;
-  constexpr double kHighest = 1.5;
-  const StereoCamera& camera = sequence.camera;
+  constexpr double kLeast = 0.65;
   std::vector<std::string> odd;
-  std::vector<double> heights;  // of 3D boxes, over those of their boxes in the image
-  std::size_t aside = 0;
+  std::vector<double> shared;
   for (const ObjectBox& box : boxes) {
     const auto find = [&](const char* name, double value, double least, double most) {
       if (value >= least && value <= most) return;
@@ -155,29 +178,20 @@ void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<
     find("length", box.box3d->length_m, 0.0, 40.0);
     find("width", box.box3d->width_m, 0.0, 40.0);
     find("height", box.box3d->height_m, 0.0, 40.0);
-    const Eigen::Vector3d centre =
-        box.box3d->bottom_in_camera +
-        Eigen::Vector3d(sequence.left_offset_m, -0.5 * box.box3d->height_m, 0.0);
     if (!box.IsInImage() || box.truncation > 0.0 || box.occlusion > 0) continue;
-    // The box in the image may show only a part of the body.
-    const double margin_px = std::max(box.right_px - box.left_px, box.bottom_px - box.top_px);
-    const double u_px = camera.fx * centre.x() / centre.z() + camera.cx;
-    const double v_px = camera.fy * centre.y() / centre.z() + camera.cy;
-    const bool within = u_px > box.left_px - margin_px && u_px < box.right_px + margin_px &&
-                        v_px > box.top_px - margin_px && v_px < box.bottom_px + margin_px;
-    heights.push_back(camera.fy * box.box3d->height_m / centre.z() / (box.bottom_px - box.top_px));
-    aside += centre.z() > 0.0 && within ? 0 : 1;
+    shared.push_back(
+        IntersectionOverUnion({box.left_px, box.top_px, box.right_px, box.bottom_px},
+                              InImage(sequence.camera, *box.box3d, sequence.left_offset_m)));
   }
   Tell(odd, lines);
-  if (static_cast<double>(aside) > kMost * static_cast<double>(heights.size())) {
-    lines.push_back(StrCat(what, ": of ", heights.size(), " boxes in 3D, ", aside,
-                           " have their centre beside their box in the image"));
-    return;
-  }
-  const double height = heights.size() < kFewest ? 1.0 : Median(std::move(heights));
-  if (height > kLowest && height < kHighest) return;
-  lines.push_back(StrCat(what, ": boxes in 3D are ", FormatGeneral(height, 2),
-                         " times as high as their boxes in the image (other depths or sizes?)"));
+  if (shared.size() < kFewest) return;
+  // Of the best quarter, because others hide parts of many.
+  std::ranges::sort(shared);
+  const double best = shared[shared.size() * 3 / 4];
+  if (best >= kLeast) return;
+  lines.push_back(StrCat(what, ": three of four boxes in 3D share less than ",
+                         FormatFixed(100.0 * best, 0),
+                         " % with their boxes in the image (other places, sizes or headings?)"));
 }
 
 // Finds boxes that are cut at 1 and at the size of the image, as if pixels were counted from 1.
@@ -212,6 +226,24 @@ void FindGaps(const Sequence& sequence, const std::vector<double>& steps_s,
                           steps_s[i], " s after the one before, where ", usual_s, " s is usual"));
   }
   Tell(gaps, lines);
+}
+
+// Finds a camera that is faster, over ten frames, than cars are.
+void FindSpeed(const Sequence& sequence, std::vector<std::string>& lines) {
+  constexpr double kFastest_m_s = 60.0;
+  constexpr std::size_t kApart = 10;
+  const auto& truth = sequence.groundtruth_world_from_camera;
+  std::vector<double> speeds_m_s;
+  for (std::size_t i = 0; i + kApart < truth.size(); ++i) {
+    const auto &from = truth[i], &to = truth[i + kApart];
+    const auto time_ns = sequence.timestamps_ns[i + kApart] - sequence.timestamps_ns[i];
+    if (!from || !to || time_ns <= 0) continue;
+    speeds_m_s.push_back((to->translation() - from->translation()).norm() /
+                         (1e-9 * static_cast<double>(time_ns)));
+  }
+  if (speeds_m_s.empty() || Median(speeds_m_s) <= kFastest_m_s) return;
+  lines.push_back(StrCat("ground truth of the camera: a median speed of ",
+                         FormatFixed(Median(speeds_m_s), 0), " m/s (another unit or rate?)"));
 }
 
 void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
@@ -278,6 +310,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
   if (step_s > kSlowest_s) lines.push_back(StrCat("times: a median of ", step_s, " s per frame"));
   FindGaps(sequence, steps_s, lines);
   FindJumps(sequence, steps_s, lines);
+  FindSpeed(sequence, lines);
   const bool rendered = std::filesystem::exists(sequence.folder / "manifest.json");
   if (!rendered && PerturbationToJson(sequence.perturbation).empty()) {
     FindInImages(sequence, step_s, lines);

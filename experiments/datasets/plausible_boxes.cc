@@ -88,19 +88,20 @@ std::vector<double> Fits(const std::vector<Eigen::Vector3d>& points, const Boxes
 }
 
 // Where boxes might belong instead: corners times a scale, counted from the other end of the image
-// where that is negative, and moved by a part of their size.
+// where that is negative, moved by a part of their size, and larger by another at each side.
 struct Move {
   const char* name;
-  double scale_x, scale_y, by_x, by_y;
+  double scale_x, scale_y, by_x, by_y, grow = 0.0;
 };
-constexpr std::array<Move, 8> kMoves = {{{"mirrored", -1, 1, 0, 0},
+constexpr std::array<Move, 9> kMoves = {{{"mirrored", -1, 1, 0, 0},
                                          {"upside down", 1, -1, 0, 0},
                                          {"farther left", 1, 1, -0.5, 0},
                                          {"farther right", 1, 1, 0.5, 0},
                                          {"higher", 1, 1, 0, -0.5},
                                          {"lower", 1, 1, 0, 0.5},
                                          {"scaled by 2/3", 0.667, 0.667, 0, 0},
-                                         {"scaled by 5/4", 1.25, 1.25, 0, 0}}};
+                                         {"scaled by 5/4", 1.25, 1.25, 0, 0},
+                                         {"twice as large", 1, 1, 0, 0, 0.5}}};
 
 Box Moved(const Box& box, const Move& move, const StereoCamera& camera) {
   const auto along = [](double low, double high, double scale, double by, int size_px) {
@@ -109,7 +110,7 @@ Box Moved(const Box& box, const Move& move, const StereoCamera& camera) {
   };
   const auto u = along(box.left_px, box.right_px, move.scale_x, move.by_x, camera.width_px);
   const auto v = along(box.top_px, box.bottom_px, move.scale_y, move.by_y, camera.height_px);
-  return {u.first, v.first, u.second, v.second};
+  return ImageBox{u.first, v.first, u.second, v.second}.Shrunk(-move.grow);
 }
 
 double MostShared(const Box& box, const std::vector<Box>& others) {
@@ -199,7 +200,7 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
                    const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines) {
   constexpr std::size_t kFewest = 12, kFewestFrames = 6;  // boxes, frames
   constexpr double kLeast = 0.65, kBetter = 0.06;         // 0.5 is chance, 0.7 YOLO's
-  constexpr double kBetterFrame = 0.05, kSigmasFrame = 2.5;
+  constexpr double kBetterFrame = 0.05;
   BoxesByFrame by_frame = SelectBoxes(boxes);
   FindShuffled(by_frame, what, lines);
   FindOtherFrames(frames, what, by_frame, lines);
@@ -213,8 +214,7 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
   double most = 0.0;
   std::string better;
   // Whether the boxes that `other` gives for a frame fit better, by a sign test.
-  const auto compare = [&](const auto& other, double least, double sigmas,
-                           const std::string& where) {
+  const auto compare = [&](const auto& other, double least, const std::string& where) {
     std::vector<double> gains;
     double won = 0.0;  // less those that lost
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -224,7 +224,7 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
       won += gains.back() > 0.0 ? 1.0 : -1.0;
     }
     if (gains.size() < kFewestFrames || MeanOf(gains) <= std::max(least, most) ||
-        won < sigmas * std::sqrt(static_cast<double>(gains.size()))) {
+        won < kSigmas * std::sqrt(static_cast<double>(gains.size()))) {
       return;
     }
     most = MeanOf(gains);
@@ -237,14 +237,14 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
       for (Box& box : boxes_there.best) box = Moved(box, move, sequence.camera);
       return boxes_there;
     };
-    compare(moved, kBetter, kSigmas, move.name);
+    compare(moved, kBetter, move.name);
   }
   for (const int by : {3, 5, 10, 20, -3, -5, -10, -20}) {
     const auto of_other = [&](int frame) {
       const auto found = by_frame.find(frame + by);
       return found == by_frame.end() ? BoxesOfFrame() : found->second;
     };
-    compare(of_other, kBetterFrame, kSigmasFrame,
+    compare(of_other, kBetterFrame,
             StrCat("those of ", std::abs(by), " frames ", by > 0 ? "later" : "earlier"));
   }
   const double noise =

@@ -27,17 +27,34 @@ using Corners = std::vector<OrbKeypoint>;
 struct SeenImage {
   Corners corners;
   cv::Mat small;
-  double brightest = 0.0;
+  std::string lack;  // what makes it useless
 };
+
+constexpr int kMostCorners = 1000;
+
+std::string LackOf(const SeenImage& seen, double brightest) {
+  constexpr double kDark = 64.0, kWhite = 254.0, kMostWhite = 0.5;
+  constexpr std::size_t kFewest = 350;
+  if (brightest < kDark || seen.corners.empty()) {
+    return "are nearly black or show no corner (10 to 14 bits in files of 16: scale them to all "
+           "16)";
+  }
+  if (cv::countNonZero(seen.small >= kWhite) > kMostWhite * static_cast<double>(seen.small.total()))
+    return "are nearly white (overexposed?)";
+  if (seen.corners.size() >= kFewest) return "";
+  return StrCat("show fewer than ", kFewest, " corners (out of focus, or nothing to see?)");
+}
 
 SeenImage See(const Sequence& sequence, std::size_t index, int side) {
   SeenImage seen;
   const cv::Mat grey = LoadFrameImage(sequence, index, side).grey;
   if (grey.empty()) return seen;
-  seen.corners = ExtractOrb(grey, {.features = 1000}).keypoints;
+  seen.corners = ExtractOrb(grey, {.features = kMostCorners}).keypoints;
   const double scale = std::min(0.5, 640.0 / grey.cols);
   cv::resize(grey, seen.small, cv::Size(), scale, scale, cv::INTER_AREA);
-  cv::minMaxLoc(grey, nullptr, &seen.brightest);
+  double brightest = 0.0;
+  cv::minMaxLoc(grey, nullptr, &brightest);
+  seen.lack = LackOf(seen, brightest);
   return seen;
 }
 
@@ -121,7 +138,7 @@ constexpr double kLeastMove_px = 8.0;  // of corners in boxes, which detectors p
 // What the images of a frame and a later one tell: medians over corners.
 struct Sample {
   SeenFrame seen;
-  bool dark = false;  // the left image is nearly black or has no corner
+  std::string lack;   // of the left image
   bool rich = false;  // it has many corners
   std::optional<PairCheck> pair;
   double depth_m = 0.0;
@@ -199,14 +216,13 @@ double MedianMove_px(const SeenFrame& seen) {
 Sample SampleFrame(const Sequence& sequence, std::size_t i,
                    const std::array<std::size_t, 2>& apart) {
   constexpr std::size_t kMany = 200;  // corners
-  constexpr double kDark = 64.0;
   const auto& truth = sequence.groundtruth_world_from_camera;
   Sample sample;
   sample.seen.frame = sequence.first_frame + static_cast<int>(i);
   const SeenImage left = See(sequence, i, 0);
   const SeenImage right = See(sequence, i, 1);
   const std::vector<const OrbKeypoint*> partners = MatchAnywhere(left.corners, right.corners);
-  sample.dark = !left.small.empty() && (left.corners.empty() || left.brightest < kDark);
+  sample.lack = left.lack;
   sample.rich = left.corners.size() >= kMany;
   sample.pair = CheckPair(left.corners, partners);
   sample.upside_down = IsUpsideDown(left.corners, partners, sequence.camera.height_px);
@@ -323,7 +339,7 @@ bool FindSwapped(const std::vector<std::size_t>& frames, Outlines& outlines,
 }
 
 // Finds frames that are more like one that is elsewhere than like a neighbour.
-void FindElsewhere(const std::vector<std::size_t>& frames, Outlines& outlines,
+bool FindElsewhere(const std::vector<std::size_t>& frames, Outlines& outlines,
                    std::vector<std::string>& lines) {
   constexpr double kMostNearer = 1.15, kMost = 0.15;
   constexpr std::size_t kNear = 3;  // frames, within which speeds vary
@@ -343,10 +359,31 @@ void FindElsewhere(const std::vector<std::size_t>& frames, Outlines& outlines,
     looked += 1.0;
     elsewhere += step > kMostNearer * nearest ? 1.0 : 0.0;
   }
-  if (elsewhere <= kMost * looked) return;
+  if (elsewhere <= kMost * looked) return false;
   lines.push_back(StrCat("images: ", elsewhere, " of ", looked,
                          " frames are more like one elsewhere than like the one beside them "
                          "(another order?)"));
+  return true;
+}
+
+// Finds a frame that differs from the one before by much more than those around it do.
+void FindCut(const Sequence& sequence, const std::vector<std::size_t>& frames, Outlines& outlines,
+             std::vector<std::string>& lines) {
+  constexpr double kMost = 3.0;
+  std::vector<double> steps;
+  for (std::size_t at = 1; at < frames.size(); ++at) {
+    const bool next = frames[at] == frames[at - 1] + 1;
+    steps.push_back(next ? outlines.Apart(frames[at - 1], frames[at]) : 0.0);
+  }
+  for (std::size_t i = 2; i + 2 < steps.size(); ++i) {
+    const double around = std::max({steps[i - 2], steps[i - 1], steps[i + 1], steps[i + 2]});
+    if (!std::isfinite(steps[i]) || steps[i] <= kMost * around) continue;
+    lines.push_back(StrCat("images, frame ", sequence.first_frame + static_cast<int>(frames[i + 1]),
+                           ": it differs from the one before by ",
+                           FormatFixed(steps[i] / around, 1),
+                           " times as much as those around it (another sequence?)"));
+    return;
+  }
 }
 
 // Finds frames in the order of their numbers as text: 0, 1, 10, 11, ..., 2, 20. In ten places where
@@ -386,30 +423,33 @@ void FindDisorder(const Sequence& sequence, std::vector<std::string>& lines) {
   const std::size_t count = sequence.images.size();
   std::vector<std::size_t> frames;
   for (std::size_t i = 0; i < count; ++i) {
-    const bool middle = i >= count / 2 && i < count / 2 + kInARow;
+    const bool middle = i + 5 >= count / 2 && i < count / 2 + kInARow;
     if (i < kInARow || middle || i + kInARow >= count) frames.push_back(i);
   }
   Outlines outlines(sequence);
   if (FindSwapped(frames, outlines, lines) || FindTextOrder(count, outlines, lines)) return;
-  FindElsewhere(frames, outlines, lines);
+  if (!FindElsewhere(frames, outlines, lines)) FindCut(sequence, frames, outlines, lines);
 }
 
 constexpr std::size_t kFewestSamples = 5;
 
-// Describes right images that are of other frames: all samples but one have smaller row errors with
-// those of the frame before, or of the next one. Empty: they are not.
+// Describes right images that are of other frames: some samples in a row have smaller row errors
+// with those of the frame before, or of the next one. Empty: there are none.
 std::string DescribeLate(const std::vector<Sample>& samples) {
   constexpr double kLeast_px = 0.02;
   for (const std::size_t k : {0, 1}) {
-    std::vector<double> gains_px;
+    std::vector<double> gains_px, longest_px;
     for (const Sample& sample : samples) {
-      if (sample.gains_px[k]) gains_px.push_back(*sample.gains_px[k]);
+      if (!sample.gains_px[k]) continue;
+      if (*sample.gains_px[k] <= 0.0)
+        gains_px.clear();
+      else
+        gains_px.push_back(*sample.gains_px[k]);
+      if (gains_px.size() > longest_px.size()) longest_px = gains_px;
     }
-    const auto won = std::ranges::count_if(gains_px, [](double px) { return px > 0.0; });
-    if (gains_px.size() < kFewestSamples || won + 1 < std::ssize(gains_px)) continue;
-    const double gain_px = Median(std::move(gains_px));
-    if (gain_px < kLeast_px) continue;
-    return StrCat("stereo pair: rows differ by ", FormatFixed(gain_px, 2),
+    if (longest_px.size() < kFewestSamples || Median(longest_px) < kLeast_px) continue;
+    return StrCat("stereo pair: in ", longest_px.size(), " of ", samples.size(),
+                  " places, rows differ by ", FormatFixed(Median(longest_px), 2),
                   " px less with the right image of the frame ", k == 0 ? "before" : "after",
                   " (right images of other frames?)");
   }
@@ -443,12 +483,14 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
   };
   const auto apart = std::ranges::count_if(
       samples, [](const Sample& sample) { return sample.rich && !sample.pair; });
-  const auto dark = std::ranges::count_if(samples, &Sample::dark);
+  std::map<std::string, std::ptrdiff_t> lacks;
+  for (const Sample& sample : samples) ++lacks[sample.lack];
+  lacks.erase("");
+  const auto lack = std::ranges::max_element(lacks, {}, [](const auto& l) { return l.second; });
   const auto upside_down = std::ranges::count_if(samples, &Sample::upside_down);
-  if (most(dark)) {
-    lines.push_back(StrCat("images: ", dark, " of ", samples.size(),
-                           " looked at are nearly black or show no corner (10 to 14 bits in files "
-                           "of 16: scale them to all 16)"));
+  if (lack != lacks.end()) {
+    lines.push_back(
+        StrCat("images: ", lack->second, " of ", samples.size(), " looked at ", lack->first));
   } else if (most(apart)) {
     lines.push_back("stereo pair: the left and right images show nothing in common");
   } else if (most(problems.size())) {
