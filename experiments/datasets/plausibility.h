@@ -51,6 +51,10 @@ struct SeenFrame {
 void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frames, const char* what,
                    const std::vector<ObjectBox>& boxes, std::vector<std::string>& lines);
 
+// Adds what tells that images are not in the order of time, or are of two sequences: of the first
+// frames, those from the middle on, and the last ones.
+void FindDisorder(const Sequence& sequence, std::vector<std::string>& lines);
+
 // Adds what the images of a few frames contradict: each other, the calibration, the ground truth or
 // the boxes.
 void FindInImages(const Sequence& sequence, double step_s, std::vector<std::string>& lines);
