@@ -308,10 +308,11 @@ std::string DescribeLate(const std::vector<Sample>& samples) {
 void FindContradictions(const std::vector<Sample>& samples, std::vector<std::string>& lines) {
   constexpr double kMostRows_px = 1.0, kNearest_m = 0.1, kFarthest_m = 150.0;
   constexpr double kMostError = 0.15;  // part of the motion
-  std::vector<double> rows_px, depths_m, flows_px, errors;
+  std::vector<double> depths_m, flows_px, errors;
+  std::ptrdiff_t apart_in_rows = 0;
   std::vector<std::string> problems;
   for (const Sample& sample : samples) {
-    if (sample.pair) rows_px.push_back(sample.pair->row_error_px);
+    apart_in_rows += sample.pair && sample.pair->row_error_px > kMostRows_px;
     if (sample.pair && !sample.pair->problem.empty()) problems.push_back(sample.pair->problem);
     if (sample.depth_m > 0.0) depths_m.push_back(sample.depth_m);
     if (!sample.error) continue;
@@ -345,8 +346,9 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
     lines.push_back("stereo pair: " + problems[0]);
   } else if (const std::string late = DescribeLate(samples); !late.empty()) {
     lines.push_back(late);
-  } else if (most(rows_px.size()) && Median(rows_px) > kMostRows_px) {
-    lines.push_back(StrCat("stereo pair: points lie ", FormatFixed(Median(rows_px), 1),
+  } else if (5 * apart_in_rows > std::ssize(samples)) {
+    lines.push_back(StrCat("stereo pair: in ", apart_in_rows, " of ", samples.size(),
+                           " places, points lie more than ", kMostRows_px,
                            " px apart in rows (right images of other frames, or not rectified?)"));
   } else if (samples.size() >= kFewestSamples && upside_down + 1 >= std::ssize(samples)) {
     lines.push_back(StrCat("images: in ", upside_down, " of ", samples.size(),

@@ -277,7 +277,11 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
                  s.images[i - 1].right = s.images[i].right;
                }
              },
-             "in 6 of 7 places, rows differ by 9"}}) {
+             "in 6 of 7 places, rows differ by 9"},
+        Case{[](Sequence& s) {
+               for (std::size_t i = 4; i < 6; ++i) s.images[i].right = s.images[i + 2].right;
+             },
+             "in 2 of 7 places, points lie more than 1 px apart"}}) {
     Sequence sequence = good;
     c.spoil(sequence);
     std::vector<std::string> lines;
