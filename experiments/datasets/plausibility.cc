@@ -290,8 +290,13 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
   constexpr double kMostRepeated = 0.05, kSlowest_s = 1.0;
   std::vector<std::string> lines = sequence.notes;
   FindCalibration(sequence.camera, lines);
-  for (const auto& [what, boxes] :
-       {std::pair{"detections", &sequence.detections}, std::pair{"labels", &sequence.labels}}) {
+  const BoxSources& sources = sequence.box_sources;
+  for (const auto& [what, boxes, file] :
+       {std::tuple{"detections", &sequence.detections, &sources.detections},
+        {"labels", &sequence.labels, &sources.labels}}) {
+    if (std::filesystem::is_regular_file(*file) && std::filesystem::is_empty(*file)) {
+      lines.push_back(StrCat(what, ": ", file->string(), " is empty"));
+    }
     FindBoxesBeyond(sequence, what, *boxes, lines);
     FindHalfSize(sequence, what, *boxes, lines);
     FindUnusable(what, *boxes, lines);

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -65,6 +66,8 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
       for (ObjectBox& box : s.detections) box.left_px = first_px, box.right_px = first_px + 639.0;
     };
   };
+  const test::TempFolder empty;
+  std::ofstream(empty.path() / "none.txt");
   struct Case {
     std::function<void(Sequence&)> spoil;
     std::string message;
@@ -73,6 +76,8 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
   for (const Case& c :
        {Case{[](Sequence&) {}, ""},
         Case{[](Sequence&) {}, "", 1},
+        Case{[&](Sequence& s) { s.box_sources.labels = empty.path() / "none.txt"; },
+             "none.txt is empty"},
         Case{[](Sequence&) {}, "images: 15 of 20 frames repeat", 15},
         Case{[](Sequence& s) { s.camera.baseline_m = 0.001; }, "a baseline of "},
         Case{[](Sequence& s) { s.camera.baseline_m = 120.0; }, "a baseline of 120 m"},
