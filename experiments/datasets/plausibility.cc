@@ -22,16 +22,15 @@ void Tell(const std::vector<std::string>& found, std::vector<std::string>& lines
 }
 
 // Finds a baseline or a focal length that is most likely in another unit than metres and pixels,
-// and a centre far from the middle of the image or pixels far from square, as of another order.
+// and a centre far from the middle of the image, or nearer to it with x and y swapped, or pixels
+// far from square, as of another order.
 void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines) {
   constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.3, kLeastFocal = 0.1;
   const Eigen::Array3d off(camera.cx / camera.width_px - 0.5, camera.cy / camera.height_px - 0.5,
                            camera.fx / camera.fy - 1.0);
-  const double to_width =
-      std::abs(camera.cx - 0.5 * camera.width_px) - std::abs(camera.cy - 0.5 * camera.width_px);
-  const double to_height =
-      std::abs(camera.cy - 0.5 * camera.height_px) - std::abs(camera.cx - 0.5 * camera.height_px);
-  const bool swapped = to_width + to_height > 0.0;
+  const auto aside = [](double centre, int side_px) { return std::abs(centre - 0.5 * side_px); };
+  const bool swapped = aside(camera.cx, camera.height_px) + aside(camera.cy, camera.width_px) <
+                       aside(camera.cx, camera.width_px) + aside(camera.cy, camera.height_px);
   if (camera.width_px > 0 &&
       (swapped || off.abs().maxCoeff() > kMostOff || camera.fx < kLeastFocal * camera.width_px)) {
     lines.push_back(StrCat("calibration: fx ", camera.fx, ", fy ", camera.fy, ", cx ", camera.cx,

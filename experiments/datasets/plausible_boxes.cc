@@ -213,7 +213,7 @@ void FindMisplaced(const Sequence& sequence, const std::vector<SeenFrame>& frame
   if (all.empty()) return;
   double most = 0.0;
   std::string better;
-  // Whether the boxes that `other` gives for a frame fit better, by a sign test.
+  // Tells whether the boxes that `other` gives for a frame fit better.
   const auto compare = [&](const auto& other, double least, const std::string& where) {
     std::vector<double> gains;
     double won = 0.0;  // less those that lost

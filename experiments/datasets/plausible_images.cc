@@ -28,8 +28,6 @@ struct SeenImage {
   std::string lack;  // what makes it useless
 };
 
-constexpr int kMostCorners = 1000;
-
 std::string LackOf(const SeenImage& seen, double brightest) {
   constexpr double kDark = 64.0, kWhite = 254.0, kMostWhite = 0.5;
   constexpr std::size_t kFewest = 350;
@@ -47,7 +45,7 @@ SeenImage See(const Sequence& sequence, std::size_t index, int side) {
   SeenImage seen;
   const cv::Mat grey = LoadFrameImage(sequence, index, side).grey;
   if (grey.empty()) return seen;
-  seen.corners = ExtractOrb(grey, {.features = kMostCorners}).keypoints;
+  seen.corners = ExtractOrb(grey, {.features = 1000}).keypoints;
   const double scale = std::min(0.5, 640.0 / grey.cols);
   cv::resize(grey, seen.small, cv::Size(), scale, scale, cv::INTER_AREA);
   double brightest = 0.0;
