@@ -53,9 +53,9 @@ double NearerPart(const std::vector<double>& inside_px, std::vector<double> arou
   std::ranges::sort(around_px);
   double below = 0.0;
   for (const double px : inside_px) {
-    const auto equal = std::ranges::equal_range(around_px, px);
-    below += static_cast<double>(equal.begin() - around_px.begin()) +
-             0.5 * static_cast<double>(equal.size());
+    const auto [first, last] = std::equal_range(around_px.begin(), around_px.end(), px);
+    below +=
+        static_cast<double>(first - around_px.begin()) + 0.5 * static_cast<double>(last - first);
   }
   return below / static_cast<double>(inside_px.size() * around_px.size());
 }

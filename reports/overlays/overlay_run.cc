@@ -60,7 +60,8 @@ std::map<std::int64_t, std::int64_t> BodiesOfClusters(const OverlayRun& run) {
 using Rows = std::span<const ObjectRow>;
 
 Rows RowsOfFrame(const std::vector<ObjectRow>& rows, int frame) {
-  const auto [first, last] = std::ranges::equal_range(rows, frame, {}, &ObjectRow::frame);
+  const auto first = std::ranges::lower_bound(rows, frame, {}, &ObjectRow::frame);
+  const auto last = std::ranges::upper_bound(rows, frame, {}, &ObjectRow::frame);
   return {first, last};
 }
 
