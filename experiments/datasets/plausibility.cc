@@ -25,7 +25,7 @@ void Tell(const std::vector<std::string>& found, std::vector<std::string>& lines
 // and a centre far from the middle of the image, or nearer to it with x and y swapped, or pixels
 // far from square, as of another order.
 void FindCalibration(const StereoCamera& camera, std::vector<std::string>& lines) {
-  constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.3, kLeastFocal = 0.1;
+  constexpr double kShortest_m = 0.01, kLongest_m = 3.0, kMostOff = 0.2, kLeastFocal = 0.1;
   const Eigen::Array3d off(camera.cx / camera.width_px - 0.5, camera.cy / camera.height_px - 0.5,
                            camera.fx / camera.fy - 1.0);
   const auto aside = [](double centre, int side_px) { return std::abs(centre - 0.5 * side_px); };
@@ -123,6 +123,15 @@ void FindDoubled(const char* what, const std::vector<ObjectBox>& boxes,
   lines.push_back(StrCat(what, ": ", doubled, " of ", boxes.size(), " boxes repeat another one"));
 }
 
+// Finds tracks that end where they begin, as of ids that are no ids.
+void FindShortTracks(const std::vector<ObjectBox>& labels, std::vector<std::string>& lines) {
+  constexpr std::size_t kFewest = 20;
+  std::set<int> tracks;
+  for (const ObjectBox& box : labels) tracks.insert(box.track);
+  if (labels.size() < kFewest || 2 * tracks.size() < labels.size()) return;
+  lines.push_back(StrCat("labels: ", labels.size(), " boxes have ", tracks.size(), " track ids"));
+}
+
 // Finds boxes of a single frame, as of a file whose frames were lost.
 void FindOneFrame(const Sequence& sequence, const char* what, const std::vector<ObjectBox>& boxes,
                   std::vector<std::string>& lines) {
@@ -214,10 +223,18 @@ void FindOneBased(const Sequence& sequence, const char* what, const std::vector<
                          width_px, " or ", height_px, ", none beyond (pixels counted from 1?)"));
 }
 
+// Finds intervals that are much longer than usual, or differ from each other.
 void FindGaps(const Sequence& sequence, const std::vector<double>& steps_s,
               std::vector<std::string>& lines) {
-  constexpr double kLongest = 5.0;  // times the usual interval
+  constexpr double kLongest = 5.0, kMostOff = 0.15;  // times the usual interval
   const double usual_s = Median(steps_s);
+  std::vector<double> off;  // of the usual interval; all of it where frames are missing
+  for (const double step_s : steps_s)
+    off.push_back(std::min(std::abs(step_s / usual_s - 1.0), 1.0));
+  if (MeanOf(off) > kMostOff) {
+    lines.push_back(StrCat("times: intervals differ by ", FormatFixed(100.0 * MeanOf(off), 0),
+                           " % in the mean from the usual ", usual_s, " s"));
+  }
   std::vector<std::string> gaps;
   for (std::size_t i = 0; i < steps_s.size(); ++i) {
     if (steps_s[i] <= kLongest * usual_s) continue;
@@ -245,18 +262,33 @@ void FindSpeed(const Sequence& sequence, std::vector<std::string>& lines) {
                          FormatFixed(Median(speeds_m_s), 0), " m/s (another unit or rate?)"));
 }
 
+// Finds steps of the camera that are too fast, or much faster than the two before and after.
 void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
                std::vector<std::string>& lines) {
-  constexpr double kFastest_m_s = 100.0;
-  constexpr double kNoise_m = 1.0;  // of a measured ground truth
+  constexpr double kFastest_m_s = 100.0, kMostFaster = 4.0;
+  constexpr double kNoise_m = 1.0, kLeast_m = 0.1;  // of a measured ground truth
   const auto& truth = sequence.groundtruth_world_from_camera;
-  std::vector<std::string> jumps;
+  std::vector<double> moved_m;
   for (std::size_t i = 0; i + 1 < truth.size(); ++i) {
-    if (!truth[i] || !truth[i + 1]) continue;
-    const double moved_m = (truth[i + 1]->translation() - truth[i]->translation()).norm();
-    if (moved_m <= kNoise_m + kFastest_m_s * steps_s[i]) continue;
+    const bool known = truth[i] && truth[i + 1];
+    moved_m.push_back(known ? (truth[i + 1]->translation() - truth[i]->translation()).norm() : 0.0);
+  }
+  std::vector<std::string> jumps;
+  for (std::size_t i = 0; i < moved_m.size(); ++i) {
+    const double speed_m_s = moved_m[i] / steps_s[i];
+    double around_m_s = 0.0;
+    for (const std::size_t by : {1, 2}) {
+      if (i < by || i + by >= moved_m.size())
+        around_m_s = speed_m_s;
+      else
+        around_m_s = std::max(
+            {around_m_s, moved_m[i - by] / steps_s[i - by], moved_m[i + by] / steps_s[i + by]});
+    }
+    const bool too_fast = moved_m[i] > kNoise_m + kFastest_m_s * steps_s[i];
+    const bool alone = moved_m[i] > kLeast_m && speed_m_s > kMostFaster * around_m_s;
+    if (!too_fast && !alone) continue;
     jumps.push_back(StrCat("ground truth of the camera, frame ",
-                           sequence.first_frame + static_cast<int>(i) + 1, ": ", moved_m,
+                           sequence.first_frame + static_cast<int>(i) + 1, ": ", moved_m[i],
                            " m from the one before, ", steps_s[i], " s earlier"));
   }
   Tell(jumps, lines);
@@ -304,6 +336,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
     FindOddBoxes(sequence, what, *boxes, lines);
     FindOneBased(sequence, what, *boxes, lines);
   }
+  FindShortTracks(sequence.labels, lines);
   const std::size_t frames = sequence.images.size();
   if (static_cast<double>(repeated) > kMostRepeated * static_cast<double>(frames)) {
     lines.push_back(StrCat("images: ", repeated, " of ", frames, " frames repeat the one before"));
@@ -311,7 +344,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
   const std::vector<double> steps_s = TimeSteps(sequence);
   if (steps_s.empty()) return lines;
   const double step_s = Median(steps_s);
-  if (step_s > kSlowest_s) lines.push_back(StrCat("times: a median of ", step_s, " s per frame"));
+  if (step_s >= kSlowest_s) lines.push_back(StrCat("times: a median of ", step_s, " s per frame"));
   FindGaps(sequence, steps_s, lines);
   FindJumps(sequence, steps_s, lines);
   FindSpeed(sequence, lines);

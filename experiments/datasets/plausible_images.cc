@@ -340,8 +340,9 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
         StrCat("images: ", lack->second, " of ", samples.size(), " looked at ", lack->first));
   } else if (most(apart)) {
     lines.push_back("stereo pair: the left and right images show nothing in common");
-  } else if (most(problems.size())) {
-    lines.push_back("stereo pair: " + problems[0]);
+  } else if (5 * problems.size() > samples.size()) {
+    lines.push_back(StrCat("stereo pair: in ", problems.size(), " of ", samples.size(), " places, ",
+                           problems[0]));
   } else if (const std::string late = DescribeLate(samples); !late.empty()) {
     lines.push_back(late);
   } else if (5 * apart_in_rows > std::ssize(samples)) {

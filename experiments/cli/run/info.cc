@@ -3,12 +3,14 @@
 // clustervo info.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/json/json.h"
+#include "core/files/text_file.h"
 #include "experiments/cli/command.h"
 #include "experiments/cli/run/run.h"
 #include "experiments/datasets/body_truth.h"
@@ -32,9 +34,20 @@ std::ptrdiff_t FramesWithTruth(const Sequence& sequence) {
   return std::count_if(truth.begin(), truth.end(), [](const auto& pose) { return !!pose; });
 }
 
+// Of frames whose left image is the file of the one before, byte for byte.
+std::size_t CountRepeated(const Sequence& sequence) {
+  std::size_t repeated = 0;
+  for (std::size_t i = 1; i < sequence.images.size(); ++i) {
+    const auto &before = sequence.images[i - 1].left, &image = sequence.images[i].left;
+    if (fs::file_size(before) != fs::file_size(image)) continue;
+    repeated += ReadFileBytes(before) == ReadFileBytes(image) ? 1 : 0;
+  }
+  return repeated;
+}
+
 std::vector<std::string> Warnings(const Sequence& sequence) {
   ReadBodyTruth(sequence);  // throws Error if files contradict each other
-  return FindImplausible(sequence);
+  return FindImplausible(sequence, CountRepeated(sequence));
 }
 
 std::string DetectionsText(const Sequence& sequence) {

@@ -89,6 +89,21 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
                    RigidTransform(Eigen::Quaterniond::Identity(), {50.0, 0.0, 0.0});
              },
              "frame 1: 50 m from the one before, 0.1 s earlier, and 1 more like it"},
+        Case{[](Sequence& s) {
+               for (int i = 0; i < 20; ++i) {
+                 s.groundtruth_world_from_camera[static_cast<std::size_t>(i)] = RigidTransform(
+                     Eigen::Quaterniond::Identity(), {0.1 * i + (i < 9 ? 0 : 1), 0.0, 0.0});
+               }
+             },
+             "frame 9: 1.1 m from the one before, 0.1 s earlier"},
+        Case{[](Sequence& s) {
+               for (std::size_t i = 0; i < 20; i += 2) s.timestamps_ns[i] += 40'000'000;
+             },
+             "times: intervals differ by "},
+        Case{[](Sequence& s) {
+               for (ObjectBox& box : s.labels) box.track = box.frame;
+             },
+             "labels: 20 boxes have 20 track ids"},
         Case{[](Sequence& s) { std::swap(s.camera.cx, s.camera.cy), s.labels.clear(); },
              "calibration: fx 500, fy 500, cx 240, cy 320 px of a 640x480"},
         Case{[](Sequence& s) {
@@ -246,7 +261,7 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
         Case{[](Sequence& s) {
                for (StereoPaths& paths : s.images) std::swap(paths.left, paths.right);
              },
-             "left and right seem to be swapped"},
+             "in 7 of 7 places, left and right seem to be swapped"},
         Case{[](Sequence& s) {  // a floor, seen from below
                const cv::Mat left = ReadImageFile(s.images[0].left, cv::IMREAD_GRAYSCALE);
                cv::Mat right = cv::Mat::zeros(left.size(), left.type());
@@ -266,7 +281,7 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
         Case{[](Sequence& s) {
                for (StereoPaths& paths : s.images) paths.right = paths.left;
              },
-             "left and right images are the same"},
+             "in 7 of 7 places, the left and right images are the same"},
         Case{[](Sequence& s) {  // what the left images leave out
                for (std::size_t i = 0; i < s.images.size(); ++i) {
                  cv::Mat image;
