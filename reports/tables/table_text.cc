@@ -56,7 +56,8 @@ std::array<std::string, 2> TwoLines(const std::string& text) {
   return best;
 }
 
-// The value, or two with a slash; with a star if one is distinguishable from the reference.
+// The value, or two with a slash unless both are missing; with a star if one is distinguishable
+// from the reference.
 std::string ShortCell(const TextLine& line, const std::vector<std::size_t>& columns) {
   std::string text;
   std::string mark = " ";
@@ -66,6 +67,7 @@ std::string ShortCell(const TextLine& line, const std::vector<std::size_t>& colu
     if (line.cells[i].distinguishable) mark = "*";
     if (line.cells[i].grey) mark.clear();
   }
+  if (text == "-/-") text = "-";
   return text.empty() ? "" : text + mark;
 }
 
