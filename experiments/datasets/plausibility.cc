@@ -228,9 +228,10 @@ void FindGaps(const Sequence& sequence, const std::vector<double>& steps_s,
               std::vector<std::string>& lines) {
   constexpr double kLongest = 5.0, kMostOff = 0.15;  // times the usual interval
   const double usual_s = Median(steps_s);
-  std::vector<double> off;  // of the usual interval; all of it where frames are missing
-  for (const double step_s : steps_s)
-    off.push_back(std::min(std::abs(step_s / usual_s - 1.0), 1.0));
+  std::vector<double> off;  // of the usual interval
+  for (const double step_s : steps_s) {
+    if (step_s <= kLongest * usual_s) off.push_back(std::abs(step_s / usual_s - 1.0));
+  }
   if (MeanOf(off) > kMostOff) {
     lines.push_back(StrCat("times: intervals differ by ", FormatFixed(100.0 * MeanOf(off), 0),
                            " % in the mean from the usual ", usual_s, " s"));
