@@ -30,15 +30,13 @@ struct SeenImage {
 
 std::string LackOf(const SeenImage& seen, double brightest) {
   constexpr double kDark = 64.0, kWhite = 254.0, kMostWhite = 0.5;
-  constexpr std::size_t kFewest = 350;
   if (brightest < kDark || seen.corners.empty()) {
     return "are nearly black or show no corner (10 to 14 bits in files of 16: scale them to all "
            "16)";
   }
   if (cv::countNonZero(seen.small >= kWhite) > kMostWhite * static_cast<double>(seen.small.total()))
     return "are nearly white (overexposed?)";
-  if (seen.corners.size() >= kFewest) return "";
-  return StrCat("show fewer than ", kFewest, " corners (out of focus, or nothing to see?)");
+  return "";
 }
 
 SeenImage See(const Sequence& sequence, std::size_t index, int side) {
@@ -134,8 +132,9 @@ constexpr double kLeastMove_px = 8.0;  // of corners in boxes, which detectors p
 // What the images of a frame and a later one tell: medians over corners.
 struct Sample {
   SeenFrame seen;
-  std::string lack;   // of the left image
-  bool rich = false;  // it has many corners
+  std::string lack;     // of the left image
+  bool rich = false;    // it has many corners
+  bool sparse = false;  // it has few
   std::optional<PairCheck> pair;
   double depth_m = 0.0;
   double flow_px = 0.0;  // of the left image
@@ -211,7 +210,7 @@ double MedianMove_px(const SeenFrame& seen) {
 // Looks at frame i, and at one that is apart[0] frames later; at apart[1] if too little moves.
 Sample SampleFrame(const Sequence& sequence, std::size_t i,
                    const std::array<std::size_t, 2>& apart) {
-  constexpr std::size_t kMany = 200;  // corners
+  constexpr std::size_t kMany = 200, kFew = 350;  // corners
   const auto& truth = sequence.groundtruth_world_from_camera;
   Sample sample;
   sample.seen.frame = sequence.first_frame + static_cast<int>(i);
@@ -220,6 +219,7 @@ Sample SampleFrame(const Sequence& sequence, std::size_t i,
   const std::vector<const OrbKeypoint*> partners = MatchAnywhere(left.corners, right.corners);
   sample.lack = left.lack;
   sample.rich = left.corners.size() >= kMany;
+  sample.sparse = !left.small.empty() && left.corners.size() < kFew;
   sample.pair = CheckPair(left.corners, partners);
   sample.upside_down = IsUpsideDown(left.corners, partners, sequence.camera.height_px);
   for (const std::size_t k : {0, 1}) {
@@ -338,6 +338,9 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
   if (lack != lacks.end()) {
     lines.push_back(
         StrCat("images: ", lack->second, " of ", samples.size(), " looked at ", lack->first));
+  } else if (const auto sparse = std::ranges::count_if(samples, &Sample::sparse); most(sparse)) {
+    lines.push_back(StrCat("images: ", sparse, " of ", samples.size(),
+                           " looked at show few corners (out of focus, or nothing to see?)"));
   } else if (most(apart)) {
     lines.push_back("stereo pair: the left and right images show nothing in common");
   } else if (5 * problems.size() > samples.size()) {
