@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
+#include "core/association/box_association.h"
 #include "core/base/error.h"
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
@@ -143,26 +146,25 @@ void FindOneFrame(const Sequence& sequence, const char* what, const std::vector<
   lines.push_back(StrCat(what, ": all ", boxes.size(), " boxes are of frame ", boxes[0].frame));
 }
 
-// What the image shows of a box in 3D: the box around its corners. Empty behind the camera.
-ImageBox InImage(const StereoCamera& camera, const ObjectBox::Box3d& box, double left_offset_m) {
+// The part of the image that a box in 3D covers; nothing if it reaches behind the camera or out of
+// view.
+std::optional<ImageBox> InImage(const StereoCamera& camera, const ObjectBox::Box3d& box,
+                                double left_offset_m) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double cosine = std::cos(box.heading_rad), sine = std::sin(box.heading_rad);
-  ImageBox seen = {camera.width_px - 1.0, camera.height_px - 1.0, 0.0, 0.0};
-  for (const int corner : {0, 1, 2, 3, 4, 5, 6, 7}) {
-    const double along = (corner & 1 ? 0.5 : -0.5) * box.length_m;
-    const double across = (corner & 2 ? 0.5 : -0.5) * box.width_m;
-    const Eigen::Vector3d at =
-        box.bottom_in_camera + Eigen::Vector3d(left_offset_m + cosine * along + sine * across,
-                                               corner & 4 ? -box.height_m : 0.0,
-                                               cosine * across - sine * along);
-    if (at.z() <= 0.0) return {};
-    const double u_px = camera.fx * at.x() / at.z() + camera.cx;
-    const double v_px = camera.fy * at.y() / at.z() + camera.cy;
-    seen = {std::min(seen.left_px, u_px), std::min(seen.top_px, v_px),
-            std::max(seen.right_px, u_px), std::max(seen.bottom_px, v_px)};
+  ImageBox picture = {kInfinity, kInfinity, -kInfinity, -kInfinity};
+  for (unsigned i = 0; i < 8; ++i) {
+    const double along_m = ((i & 1U) != 0 ? 0.5 : -0.5) * box.length_m;
+    const double across_m = ((i & 2U) != 0 ? 0.5 : -0.5) * box.width_m;
+    const Eigen::Vector3d corner =
+        box.bottom_in_camera + Eigen::Vector3d(left_offset_m + cosine * along_m + sine * across_m,
+                                               (i & 4U) != 0 ? -box.height_m : 0.0,
+                                               cosine * across_m - sine * along_m);
+    if (corner.z() <= 0.0) return std::nullopt;
+    Include(camera.fx * corner.x() / corner.z() + camera.cx,
+            camera.fy * corner.y() / corner.z() + camera.cy, picture);
   }
-  return {std::max(seen.left_px, 0.0), std::max(seen.top_px, 0.0),
-          std::min(seen.right_px, camera.width_px - 1.0),
-          std::min(seen.bottom_px, camera.height_px - 1.0)};
+  return ClipToImage(picture, camera);
 }
 
 // Finds values beyond what KITTI defines, and boxes in 3D that are elsewhere than those in the
@@ -187,9 +189,9 @@ void FindOddBoxes(const Sequence& sequence, const char* what, const std::vector<
     find("width", box.box3d->width_m, 0.0, 40.0);
     find("height", box.box3d->height_m, 0.0, 40.0);
     if (!box.IsInImage() || box.truncation > 0.0 || box.occlusion > 0) continue;
-    shared.push_back(
-        IntersectionOverUnion({box.left_px, box.top_px, box.right_px, box.bottom_px},
-                              InImage(sequence.camera, *box.box3d, sequence.left_offset_m)));
+    const auto picture = InImage(sequence.camera, *box.box3d, sequence.left_offset_m);
+    const ImageBox in_image = {box.left_px, box.top_px, box.right_px, box.bottom_px};
+    shared.push_back(picture ? IntersectionOverUnion(in_image, *picture) : 0.0);
   }
   Tell(odd, lines);
   if (shared.size() < kFewest) return;
@@ -269,24 +271,19 @@ void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
   constexpr double kFastest_m_s = 100.0, kMostFaster = 4.0;
   constexpr double kNoise_m = 1.0, kLeast_m = 0.1;  // of a measured ground truth
   const auto& truth = sequence.groundtruth_world_from_camera;
-  std::vector<double> moved_m;
+  std::vector<double> moved_m, speeds_m_s;  // infinite where unknown
   for (std::size_t i = 0; i + 1 < truth.size(); ++i) {
-    const bool known = truth[i] && truth[i + 1];
-    moved_m.push_back(known ? (truth[i + 1]->translation() - truth[i]->translation()).norm() : 0.0);
+    moved_m.push_back(truth[i] && truth[i + 1]
+                          ? (truth[i + 1]->translation() - truth[i]->translation()).norm()
+                          : std::numeric_limits<double>::infinity());
+    speeds_m_s.push_back(moved_m[i] / steps_s[i]);
   }
   std::vector<std::string> jumps;
   for (std::size_t i = 0; i < moved_m.size(); ++i) {
-    const double speed_m_s = moved_m[i] / steps_s[i];
-    double around_m_s = 0.0;
-    for (const std::size_t by : {1, 2}) {
-      if (i < by || i + by >= moved_m.size())
-        around_m_s = speed_m_s;
-      else
-        around_m_s = std::max(
-            {around_m_s, moved_m[i - by] / steps_s[i - by], moved_m[i + by] / steps_s[i + by]});
-    }
+    if (!std::isfinite(moved_m[i])) continue;
     const bool too_fast = moved_m[i] > kNoise_m + kFastest_m_s * steps_s[i];
-    const bool alone = moved_m[i] > kLeast_m && speed_m_s > kMostFaster * around_m_s;
+    const bool alone =
+        moved_m[i] > kLeast_m && speeds_m_s[i] > kMostFaster * LargestAround(speeds_m_s, i);
     if (!too_fast && !alone) continue;
     jumps.push_back(StrCat("ground truth of the camera, frame ",
                            sequence.first_frame + static_cast<int>(i) + 1, ": ", moved_m[i],
@@ -296,6 +293,11 @@ void FindJumps(const Sequence& sequence, const std::vector<double>& steps_s,
 }
 
 }  // namespace
+
+double LargestAround(const std::vector<double>& values, std::size_t i) {
+  if (i < 2 || i + 2 >= values.size()) return std::numeric_limits<double>::infinity();
+  return std::max({values[i - 2], values[i - 1], values[i + 1], values[i + 2]});
+}
 
 std::vector<double> TimeSteps(const Sequence& sequence) {
   std::vector<double> steps_s;

@@ -29,6 +29,9 @@ std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence);
 // The time from each frame to the next.
 std::vector<double> TimeSteps(const Sequence& sequence);
 
+// The largest of the two values before `i` and the two after; infinite near the ends.
+double LargestAround(const std::vector<double>& values, std::size_t i);
+
 // Throws Error for what cannot be: more than 1000 frames per second, boxes in parts of the image.
 void RefuseImpossible(const Sequence& sequence);
 

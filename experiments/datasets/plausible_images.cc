@@ -25,12 +25,14 @@ using Corners = std::vector<OrbKeypoint>;
 struct SeenImage {
   Corners corners;
   cv::Mat small;
-  std::string lack;  // what makes it useless
+  double brightest = 0.0;
 };
 
-std::string LackOf(const SeenImage& seen, double brightest) {
+// What makes an image useless; empty for one that cannot be decoded, which is told elsewhere.
+std::string LackOf(const SeenImage& seen) {
   constexpr double kDark = 64.0, kWhite = 254.0, kMostWhite = 0.5;
-  if (brightest < kDark || seen.corners.empty()) {
+  if (seen.small.empty()) return "";
+  if (seen.brightest < kDark || seen.corners.empty()) {
     return "are nearly black or show no corner (10 to 14 bits in files of 16: scale them to all "
            "16)";
   }
@@ -46,9 +48,7 @@ SeenImage See(const Sequence& sequence, std::size_t index, int side) {
   seen.corners = ExtractOrb(grey, {.features = 1000}).keypoints;
   const double scale = std::min(0.5, 640.0 / grey.cols);
   cv::resize(grey, seen.small, cv::Size(), scale, scale, cv::INTER_AREA);
-  double brightest = 0.0;
-  cv::minMaxLoc(grey, nullptr, &brightest);
-  seen.lack = LackOf(seen, brightest);
+  cv::minMaxLoc(grey, nullptr, &seen.brightest);
   return seen;
 }
 
@@ -217,7 +217,7 @@ Sample SampleFrame(const Sequence& sequence, std::size_t i,
   const SeenImage left = See(sequence, i, 0);
   const SeenImage right = See(sequence, i, 1);
   const std::vector<const OrbKeypoint*> partners = MatchAnywhere(left.corners, right.corners);
-  sample.lack = left.lack;
+  sample.lack = LackOf(left);
   sample.rich = left.corners.size() >= kMany;
   sample.sparse = !left.small.empty() && left.corners.size() < kFew;
   sample.pair = CheckPair(left.corners, partners);

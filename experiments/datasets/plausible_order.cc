@@ -5,9 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
+#include <vector>
 
 #include "core/base/lists.h"
 #include "core/files/text/number.h"
@@ -17,42 +18,52 @@
 namespace cvo {
 namespace {
 
-// Small copies of the left images without their means, as exposures vary.
-class Outlines {
- public:
-  explicit Outlines(const Sequence& sequence) : sequence_(sequence) {}
+// A small copy of a left image without its mean, as exposures vary; empty if it is damaged.
+cv::Mat Outline(const Sequence& sequence, std::size_t index) {
+  const double scale = std::min(0.125, 160.0 / sequence.camera.width_px);
+  cv::Mat image = LoadFrameImage(sequence, index, 0).grey;
+  if (image.empty()) return image;
+  cv::resize(image, image, cv::Size(), scale, scale, cv::INTER_AREA);
+  image.convertTo(image, CV_32F, 1.0, -cv::mean(image)[0]);
+  return image;
+}
 
-  // By how much two frames differ; endlessly if one is damaged.
-  double Apart(std::size_t one, std::size_t other) {
-    const cv::Mat a = Find(one), b = Find(other);
-    if (a.empty() || a.size() != b.size()) return std::numeric_limits<double>::infinity();
-    return cv::norm(a, b, cv::NORM_L1);
+// Frames, and by how much any two of them differ: endlessly if one is damaged.
+struct Outlines {
+  std::vector<std::size_t> frames;
+  cv::Mat_<double> apart;
+
+  // Whether the frames from `at` to `at + count - 1` follow each other.
+  bool InARow(std::size_t at, std::size_t count) const {
+    return at + count <= frames.size() && frames[at + count - 1] == frames[at] + count - 1;
   }
-
- private:
-  const cv::Mat& Find(std::size_t index) {
-    const auto [found, is_new] = outlines_.try_emplace(index);
-    cv::Mat& image = found->second;
-    if (is_new) image = LoadFrameImage(sequence_, index, 0).grey;
-    if (!is_new || image.empty()) return image;
-    const double scale = std::min(0.125, 160.0 / sequence_.camera.width_px);
-    cv::resize(image, image, cv::Size(), scale, scale, cv::INTER_AREA);
-    image.convertTo(image, CV_32F, 1.0, -cv::mean(image)[0]);
-    return image;
+  double Apart(std::size_t a, std::size_t b) const {
+    return apart(static_cast<int>(a), static_cast<int>(b));
   }
-
-  const Sequence& sequence_;
-  std::map<std::size_t, cv::Mat> outlines_;
 };
+
+Outlines Compare(const Sequence& sequence, std::vector<std::size_t> frames) {
+  const auto count = static_cast<int>(frames.size());
+  cv::Mat_<double> apart(count, count, std::numeric_limits<double>::infinity());
+  std::vector<cv::Mat> images;
+  for (int i = 0; i < count; ++i) {
+    images.push_back(Outline(sequence, frames[static_cast<std::size_t>(i)]));
+    for (int k = 0; k < i; ++k) {
+      const cv::Mat& other = images[static_cast<std::size_t>(k)];
+      if (images.back().empty() || images.back().size() != other.size()) continue;
+      apart(i, k) = apart(k, i) = cv::norm(images.back(), other, cv::NORM_L1);
+    }
+  }
+  return {std::move(frames), std::move(apart)};
+}
 
 // Finds neighbours that are swapped: of four frames in a row, neighbours would differ less in
 // another order. Of a camera that does not move, all orders are about equally good.
-bool FindSwapped(const std::vector<std::size_t>& frames, Outlines& outlines,
-                 std::vector<std::string>& lines) {
+bool FindSwapped(const Outlines& outlines, std::vector<std::string>& lines) {
   double rows = 0.0, in_order = 0.0, given = 0.0, best = 0.0;
-  for (std::size_t at = 0; at + 3 < frames.size(); ++at) {
-    if (frames[at + 3] != frames[at] + 3) continue;
-    std::array<std::size_t, 4> row = {frames[at], frames[at + 1], frames[at + 2], frames[at + 3]};
+  for (std::size_t at = 0; at < outlines.frames.size(); ++at) {
+    if (!outlines.InARow(at, 4)) continue;
+    std::array<std::size_t, 4> row = {at, at + 1, at + 2, at + 3};
     std::vector<double> lengths;
     do {
       lengths.push_back(outlines.Apart(row[0], row[1]) + outlines.Apart(row[1], row[2]) +
@@ -73,22 +84,20 @@ bool FindSwapped(const std::vector<std::size_t>& frames, Outlines& outlines,
 }
 
 // Finds frames that are more like one that is elsewhere than like a neighbour.
-bool FindElsewhere(const std::vector<std::size_t>& frames, Outlines& outlines,
-                   std::vector<std::string>& lines) {
+bool FindElsewhere(const Outlines& outlines, std::vector<std::string>& lines) {
   constexpr double kMostNearer = 1.15, kMost = 0.15;
   constexpr std::size_t kNear = 3;  // frames, within which speeds vary
+  const std::vector<std::size_t>& frames = outlines.frames;
   double looked = 0.0, elsewhere = 0.0;
   for (std::size_t at = 1; at + 1 < frames.size(); ++at) {
-    const std::size_t frame = frames[at];
-    if (frames[at - 1] + 1 != frame || frames[at + 1] != frame + 1) continue;
+    if (!outlines.InARow(at - 1, 3)) continue;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const std::size_t other : frames) {
-      if (std::max(frame, other) - std::min(frame, other) > kNear) {
-        nearest = std::min(nearest, outlines.Apart(frame, other));
+    for (std::size_t other = 0; other < frames.size(); ++other) {
+      if (std::max(frames[at], frames[other]) - std::min(frames[at], frames[other]) > kNear) {
+        nearest = std::min(nearest, outlines.Apart(at, other));
       }
     }
-    const double step =
-        std::max(outlines.Apart(frame, frame - 1), outlines.Apart(frame, frame + 1));
+    const double step = std::max(outlines.Apart(at, at - 1), outlines.Apart(at, at + 1));
     if (!std::isfinite(step) || !std::isfinite(nearest)) continue;
     looked += 1.0;
     elsewhere += step > kMostNearer * nearest ? 1.0 : 0.0;
@@ -101,18 +110,16 @@ bool FindElsewhere(const std::vector<std::size_t>& frames, Outlines& outlines,
 }
 
 // Finds a frame that differs from the one before by much more than those around it do.
-void FindCut(const Sequence& sequence, const std::vector<std::size_t>& frames, Outlines& outlines,
-             std::vector<std::string>& lines) {
+void FindCut(const Outlines& outlines, int first_frame, std::vector<std::string>& lines) {
   constexpr double kMost = 3.0;
   std::vector<double> steps;
-  for (std::size_t at = 1; at < frames.size(); ++at) {
-    const bool next = frames[at] == frames[at - 1] + 1;
-    steps.push_back(next ? outlines.Apart(frames[at - 1], frames[at]) : 0.0);
+  for (std::size_t at = 0; at + 1 < outlines.frames.size(); ++at) {
+    steps.push_back(outlines.InARow(at, 2) ? outlines.Apart(at, at + 1) : 0.0);
   }
-  for (std::size_t i = 2; i + 2 < steps.size(); ++i) {
-    const double around = std::max({steps[i - 2], steps[i - 1], steps[i + 1], steps[i + 2]});
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double around = LargestAround(steps, i);
     if (!std::isfinite(steps[i]) || steps[i] <= kMost * around) continue;
-    lines.push_back(StrCat("images, frame ", sequence.first_frame + static_cast<int>(frames[i + 1]),
+    lines.push_back(StrCat("images, frame ", first_frame + static_cast<int>(outlines.frames[i + 1]),
                            ": it differs from the one before by ",
                            FormatFixed(steps[i] / around, 1),
                            " times as much as those around it (another sequence?)"));
@@ -130,9 +137,9 @@ void FindDisorder(const Sequence& sequence, std::vector<std::string>& lines) {
     const bool middle = i + 5 >= count / 2 && i < count / 2 + kInARow;
     if (i < kInARow || middle || i + kInARow >= count) frames.push_back(i);
   }
-  Outlines outlines(sequence);
-  if (FindSwapped(frames, outlines, lines) || FindElsewhere(frames, outlines, lines)) return;
-  FindCut(sequence, frames, outlines, lines);
+  const Outlines outlines = Compare(sequence, std::move(frames));
+  if (FindSwapped(outlines, lines) || FindElsewhere(outlines, lines)) return;
+  FindCut(outlines, sequence.first_frame, lines);
 }
 
 }  // namespace cvo

@@ -94,6 +94,14 @@ TEST(Plausibility, TellsEachKindOfNonsense) {
                }
              },
              "frame 9: 1.1 m from the one before, 0.1 s earlier"},
+        Case{[](Sequence& s) {  // a truth that is known of two frames in five
+               for (int i = 0; i < 20; ++i) {
+                 auto& pose = s.groundtruth_world_from_camera[static_cast<std::size_t>(i)];
+                 if (i % 5 < 2)
+                   pose = RigidTransform(Eigen::Quaterniond::Identity(), {0.5 * i, 0.0, 0.0});
+               }
+             },
+             ""},
         Case{[](Sequence& s) {
                for (std::size_t i = 0; i < 20; i += 2) s.timestamps_ns[i] += 40'000'000;
              },
