@@ -38,20 +38,29 @@ std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
                                     std::span<const StereoFeature> features, int max_hamming,
                                     double ratio) {
   constexpr int kFarthest = 257;
+  std::vector<Descriptor> descriptors;  // close together: features are large
+  std::vector<int> feature_of;
+  for (int k = 0; k < static_cast<int>(features.size()); ++k) {
+    if (IsLeftOnly(features[k])) continue;
+    descriptors.push_back(features[k].descriptor);
+    feature_of.push_back(k);
+  }
+  std::vector<int> distances(descriptors.size());
   std::vector<int> best_of_feature(features.size(), kFarthest);
   std::vector<Match> candidates;
   for (int i = 0; i < static_cast<int>(landmarks.size()); ++i) {
+    HammingDistances(landmarks[i], descriptors, distances);
     int best = kFarthest;
     int second = kFarthest;
     int best_feature = -1;
-    for (int k = 0; k < static_cast<int>(features.size()); ++k) {
-      if (IsLeftOnly(features[k])) continue;
-      const int hamming = HammingDistance(landmarks[i], features[k].descriptor);
-      best_of_feature[k] = std::min(best_of_feature[k], hamming);
+    for (std::size_t k = 0; k < distances.size(); ++k) {
+      const int hamming = distances[k];
+      int& best_here = best_of_feature[feature_of[k]];
+      best_here = std::min(best_here, hamming);
       if (hamming < best) {
         second = best;
         best = hamming;
-        best_feature = k;
+        best_feature = feature_of[k];
       } else if (hamming < second) {
         second = hamming;
       }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 namespace cvo {
 
@@ -12,5 +13,8 @@ using Descriptor = std::array<std::uint64_t, 4>;
 
 // Number of differing bits, 0 ... 256.
 int HammingDistance(const Descriptor& a, const Descriptor& b);
+// The same, of one descriptor from each of the others.
+void HammingDistances(const Descriptor& from, std::span<const Descriptor> to,
+                      std::span<int> distances);
 
 }  // namespace cvo

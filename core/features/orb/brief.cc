@@ -96,6 +96,8 @@ class MomentModel {
   std::array<double, kSide * kSide> covariance_;
 };
 
+// One comparison: bit = I(a) < I(b). The points are relative to the corner and rotate with the
+// orientation of the patch.
 struct TestPair {
   Point a, b;
 };
@@ -121,7 +123,10 @@ bool IsNew(const PixelModel& rho, const std::vector<TestPair>& accepted, const T
   return true;
 }
 
-std::vector<BriefTest> DesignPattern() {
+// The 256 comparisons of the descriptor. As in ORB, they are chosen greedily to be uncorrelated
+// with each other and with the orientation, but under a statistical image model (isotropic,
+// exponential correlation) instead of over a training set. Candidates are seeded random draws.
+std::vector<TestPair> DesignPattern() {
   const PixelModel rho;
   const MomentModel moment(rho);
   Rng rng(1, "brief pattern");
@@ -139,29 +144,25 @@ std::vector<BriefTest> DesignPattern() {
     if (!IsNew(rho, accepted, pair, limit)) continue;
     accepted.push_back(pair);
   }
-  std::vector<BriefTest> pattern;
-  for (const TestPair& pair : accepted) {
-    pattern.push_back({static_cast<float>(pair.a.x), static_cast<float>(pair.a.y),
-                       static_cast<float>(pair.b.x), static_cast<float>(pair.b.y)});
-  }
-  return pattern;
+  return accepted;
 }
 
 // Returns the rotated end points of all tests, one angle after the other.
 const std::vector<Point>& TurnedEnds() {
   static const std::vector<Point> turned = [] {
+    const std::vector<TestPair> pattern = DesignPattern();
     std::vector<Point> ends;
     for (int bin = 0; bin < kAngleBins; ++bin) {
       const double angle = 2.0 * std::numbers::pi * bin / kAngleBins;
       const double c = std::cos(angle);
       const double s = std::sin(angle);
-      const auto add = [&](double x, double y) {
-        ends.push_back({static_cast<int>(std::lround(c * x - s * y)),
-                        static_cast<int>(std::lround(s * x + c * y))});
+      const auto add = [&](const Point& p) {
+        ends.push_back({static_cast<int>(std::lround(c * p.x - s * p.y)),
+                        static_cast<int>(std::lround(s * p.x + c * p.y))});
       };
-      for (const BriefTest& test : BriefPattern()) {
-        add(test.x0, test.y0);
-        add(test.x1, test.y1);
+      for (const TestPair& test : pattern) {
+        add(test.a);
+        add(test.b);
       }
     }
     return ends;
@@ -170,11 +171,6 @@ const std::vector<Point>& TurnedEnds() {
 }
 
 }  // namespace
-
-const std::vector<BriefTest>& BriefPattern() {
-  static const std::vector<BriefTest> pattern = DesignPattern();
-  return pattern;
-}
 
 float PatchAngle(const cv::Mat& image, int x, int y) {
   constexpr int r = kOrbPatchRadius;

@@ -17,17 +17,6 @@ inline constexpr int kOrbPatchRadius = 15;
 // (Rublee et al. 2011). The disc must lie inside the image.
 float PatchAngle(const cv::Mat& image, int x, int y);
 
-// One intensity comparison of the descriptor: bit = I(x0, y0) < I(x1, y1). Coordinates are relative
-// to the corner and rotate with the orientation of the patch.
-struct BriefTest {
-  float x0, y0, x1, y1;
-};
-
-// The 256 comparisons of the descriptor. As in ORB, they are chosen greedily to be uncorrelated
-// with each other and with the orientation, but under a statistical image model (isotropic,
-// exponential correlation) instead of over a training set. Candidates are seeded random draws.
-const std::vector<BriefTest>& BriefPattern();
-
 // Computes descriptors in images with the given row stride. The patch must lie inside the (blurred)
 // image.
 class BriefDescriber {

@@ -3,6 +3,7 @@
 #include "core/features/orb/corner_score.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "core/base/error.h"
@@ -18,75 +19,62 @@ constexpr int kRingY[kRing] = {3, 3, 2, 1, 0, -1, -2, -3, -3, -3, -2, -1, 0, 1, 
 
 using Byte = std::uint8_t;
 
-// Written so that the compiler vectorises them as byte-wise minima, maxima and differences.
-[[gnu::always_inline]] inline Byte Min(Byte a, Byte b) { return a < b ? a : b; }
-[[gnu::always_inline]] inline Byte Max(Byte a, Byte b) { return a > b ? a : b; }
-[[gnu::always_inline]] inline Byte Less(Byte a, Byte b) { return static_cast<Byte>(a - b); }
+// Written so that the compiler vectorises them as byte-wise minima and maxima.
+constexpr auto kMin = [](Byte a, Byte b) { return a < b ? a : b; };
+constexpr auto kMax = [](Byte a, Byte b) { return a > b ? a : b; };
 
-// Returns the maximum over the 16 arcs of 9 pixels of the smallest d in the arc. Arcs are evaluated
+// Returns the best, over the 16 arcs of 9 pixels, of the worst value of an arc. Arcs are evaluated
 // in pairs that share 8 pixels.
-[[gnu::always_inline]] inline Byte BestArc(const Byte (&d)[kRing]) {
+[[gnu::always_inline]] inline Byte BestArc(const Byte (&value)[kRing], auto best, auto worst) {
   Byte pairs[8];
   Byte fours[8];
-  for (int i = 0; i < 8; ++i) pairs[i] = Min(d[2 * i + 1], d[(2 * i + 2) % kRing]);
-  for (int i = 0; i < 8; ++i) fours[i] = Min(pairs[i], pairs[(i + 1) % 8]);
-  Byte best = 0;
+  Byte arcs[8];
+  for (int i = 0; i < 8; ++i) pairs[i] = worst(value[2 * i + 1], value[(2 * i + 2) % kRing]);
+  for (int i = 0; i < 8; ++i) fours[i] = worst(pairs[i], pairs[(i + 1) % 8]);
   for (int i = 0; i < 8; ++i) {
-    const Byte eight = Min(fours[i], fours[(i + 2) % 8]);
-    best = Max(best, Min(eight, Max(d[2 * i], d[(2 * i + 9) % kRing])));
+    const Byte eight = worst(fours[i], fours[(i + 2) % 8]);
+    arcs[i] = worst(eight, best(value[2 * i], value[(2 * i + 9) % kRing]));
   }
-  return best;
+  for (int i = 1; i < 8; ++i) arcs[0] = best(arcs[0], arcs[i]);
+  return arcs[0];
 }
 
 CVO_FOR_EACH_PROCESSOR
 void ScoreRow(const Byte* row, const std::ptrdiff_t (&ring)[kRing], int count,
               Byte* __restrict scores) {
   for (int x = 0; x < count; ++x) {
+    Byte value[kRing];
+    for (int k = 0; k < kRing; ++k) value[k] = row[x + ring[k]];
     const Byte centre = row[x];
-    Byte brighter[kRing];
-    Byte darker[kRing];
-    for (int k = 0; k < kRing; ++k) {
-      const Byte value = row[x + ring[k]];
-      const Byte larger = Max(value, centre);
-      brighter[k] = Less(larger, centre);
-      darker[k] = Less(larger, value);
-    }
-    scores[x] = Max(BestArc(brighter), BestArc(darker));
+    const Byte brightest = kMax(BestArc(value, kMax, kMin), centre);
+    const Byte darkest = kMin(BestArc(value, kMin, kMax), centre);
+    scores[x] = kMax(static_cast<Byte>(brightest - centre), static_cast<Byte>(centre - darkest));
   }
 }
 
 // Sets marks[x] to the score at x if it is a maximum above the threshold, else to 0.
-void MarkMaxima(const cv::Mat& scores, int y, int threshold, int first, int last,
-                std::vector<Byte>& marks) {
-  const Byte* above = scores.ptr<Byte>(y - 1);
-  const Byte* row = scores.ptr<Byte>(y);
-  const Byte* below = scores.ptr<Byte>(y + 1);
-  const Byte least = static_cast<Byte>(threshold);
-  Byte* __restrict out = marks.data();
+CVO_FOR_EACH_PROCESSOR
+void MarkMaxima(const Byte* above, const Byte* row, const Byte* below, Byte least, int first,
+                int last, Byte* __restrict marks) {
   for (int x = first; x < last; ++x) {
-    const Byte before = Max(Max(above[x - 1], above[x]), Max(above[x + 1], row[x - 1]));
-    const Byte after = Max(Max(row[x + 1], below[x - 1]), Max(below[x], below[x + 1]));
+    const Byte before = kMax(kMax(above[x - 1], above[x]), kMax(above[x + 1], row[x - 1]));
+    const Byte after = kMax(kMax(row[x + 1], below[x - 1]), kMax(below[x], below[x + 1]));
     const Byte score = row[x];
-    const bool is_corner = (score > Max(before, least)) & (score >= after);
-    out[x] = is_corner ? score : Byte{0};
+    const bool is_corner = (score > kMax(before, least)) & (score >= after);
+    marks[x] = is_corner ? score : Byte{0};
   }
 }
 
-void AppendMarked(const std::vector<Byte>& marks, int y, int first, int last,
-                  std::vector<Corner>& corners) {
-  int x = first;
-  while (x < last) {
+// Visits eight marks at a time; seven zeros must follow the last.
+void AppendMarked(const Byte* marks, int y, int first, int last, std::vector<Corner>& corners) {
+  static_assert(std::endian::native == std::endian::little, "the first mark is the lowest byte");
+  for (int x = first; x < last; x += 8) {
     std::uint64_t eight = 0;
-    if (x + 8 <= last) {
-      std::memcpy(&eight, &marks[x], 8);
-      if (eight == 0) {
-        x += 8;
-        continue;
-      }
-    }
-    const int end = std::min(x + 8, last);
-    for (; x < end; ++x) {
-      if (marks[x] != 0) corners.push_back({x, y, marks[x]});
+    std::memcpy(&eight, marks + x, 8);
+    while (eight != 0) {
+      const int bit = std::countr_zero(eight) & ~7;
+      corners.push_back({x + bit / 8, y, static_cast<Byte>(eight >> bit)});
+      eight &= ~(std::uint64_t{0xFF} << bit);
     }
   }
 }
@@ -118,10 +106,11 @@ std::vector<Corner> FindMaxima(const cv::Mat& scores, int border_px, int thresho
   const int last_y = scores.rows - border_px;
   std::vector<Corner> maxima;
   if (last_x <= border_px) return maxima;
-  std::vector<Byte> marks(static_cast<std::size_t>(scores.cols));
+  std::vector<Byte> marks(static_cast<std::size_t>(scores.cols) + 7);
   for (int y = border_px; y < last_y; ++y) {
-    MarkMaxima(scores, y, threshold, border_px, last_x, marks);
-    AppendMarked(marks, y, border_px, last_x, maxima);
+    MarkMaxima(scores.ptr<Byte>(y - 1), scores.ptr<Byte>(y), scores.ptr<Byte>(y + 1),
+               static_cast<Byte>(threshold), border_px, last_x, marks.data());
+    AppendMarked(marks.data(), y, border_px, last_x, maxima);
   }
   return maxima;
 }

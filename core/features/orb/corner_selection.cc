@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace cvo {
 
@@ -112,24 +114,35 @@ std::vector<Corner> SortByScore(const std::vector<Corner>& corners) {
 
 using Word = std::uint64_t;
 constexpr int kWordBits = 64;
+static_assert(std::endian::native == std::endian::little, "pixel x is bit x % 8 of byte x / 8");
 
-// Mask of the pixels nearer to the centre than `distance`, one bit each, in rows of whole words.
+// Masks of the pixels nearer to the centre than `distance`, one bit each, in rows of whole words;
+// one for each place of the first column in its byte.
 struct Disc {
-  explicit Disc(double distance) : reach(static_cast<int>(std::ceil(distance)) - 1) {
-    words = (2 * reach) / kWordBits + 1;
-    rows.assign(static_cast<std::size_t>((2 * reach + 1) * words), 0);
+  explicit Disc(double distance)
+      : reach(static_cast<int>(std::ceil(distance)) - 1), words((2 * reach + 7) / kWordBits + 1) {
+    for (int shift = 0; shift < 8; ++shift) {
+      masks[shift].assign(static_cast<std::size_t>((2 * reach + 1) * words), 0);
+    }
     for (int y = -reach; y <= reach; ++y) {
       const int half = static_cast<int>(std::ceil(std::sqrt(distance * distance - y * y))) - 1;
-      Word* row = &rows[static_cast<std::size_t>((y + reach) * words)];
-      for (int x = reach - half; x <= reach + half; ++x) {
-        row[x / kWordBits] |= Word{1} << (x % kWordBits);
+      for (int shift = 0; shift < 8; ++shift) {
+        Set(reach - half + shift, reach + half + shift, &masks[shift][(y + reach) * words]);
       }
+    }
+  }
+
+  // Sets the bits from `first` to `last`.
+  static void Set(int first, int last, Word* row) {
+    for (; first <= last; first = (first / kWordBits + 1) * kWordBits) {
+      const int count = std::min(last - first + 1, kWordBits - first % kWordBits);
+      row[first / kWordBits] |= ~Word{0} >> (kWordBits - count) << first % kWordBits;
     }
   }
 
   int reach;
   int words;  // per row
-  std::vector<Word> rows;
+  std::array<std::vector<Word>, 8> masks;
 };
 
 // Selects corners that are at least a distance apart, strongest first. A bitmap marks the pixels
@@ -155,16 +168,14 @@ class EvenSelector {
   // Stops at `limit` corners.
   std::vector<Corner> Spread(double distance, int limit) {
     const Disc disc(distance);
-    // Large enough that no disc is clipped, plus one word per row for the bits shifted out of its
-    // last word.
-    stride_ = (width_ + 2 * disc.reach) / kWordBits + 2;
+    // Large enough that no disc is clipped, and rows that end with a whole word.
+    stride_ = (width_ + 2 * disc.reach) / 8 + 1 + static_cast<int>(sizeof(Word));
     covered_.assign(static_cast<std::size_t>(stride_) * (height_ + 2 * disc.reach), 0);
     std::vector<Corner> chosen;
     for (const Corner& corner : corners_) {
       if (static_cast<int>(chosen.size()) >= limit) break;
       const int x = corner.x - x0_ + disc.reach;
-      const Word* row = Row(corner.y - y0_ + disc.reach);
-      if ((row[x / kWordBits] >> (x % kWordBits) & 1U) != 0) continue;
+      if ((Row(corner.y - y0_ + disc.reach)[x / 8] >> (x % 8) & 1U) != 0) continue;
       chosen.push_back(corner);
       Cover(corner.x - x0_, corner.y - y0_, disc);
     }
@@ -172,25 +183,26 @@ class EvenSelector {
   }
 
  private:
-  Word* Row(int y) { return &covered_[static_cast<std::size_t>(y) * stride_]; }
+  std::uint8_t* Row(int y) { return &covered_[static_cast<std::size_t>(y) * stride_]; }
 
   // (x, y) is the position of the first column and row of the disc.
   void Cover(int x, int y, const Disc& disc) {
-    const int shift = x % kWordBits;
-    const Word* part = disc.rows.data();
-    Word* row = Row(y) + x / kWordBits;
+    const Word* part = disc.masks[x % 8].data();
+    std::uint8_t* row = Row(y) + x / 8;
     for (int i = 0; i <= 2 * disc.reach; ++i, row += stride_) {
       for (int word = 0; word < disc.words; ++word, ++part) {
-        row[word] |= *part << shift;
-        row[word + 1] |= *part >> 1 >> (kWordBits - 1 - shift);
+        Word covered;
+        std::memcpy(&covered, row + word * sizeof(Word), sizeof(Word));
+        covered |= *part;
+        std::memcpy(row + word * sizeof(Word), &covered, sizeof(Word));
       }
     }
   }
 
   const std::vector<Corner>& corners_;
   int x0_, y0_, width_, height_;
-  int stride_ = 0;  // words per row
-  std::vector<Word> covered_;
+  int stride_ = 0;  // bytes per row
+  std::vector<std::uint8_t> covered_;
 };
 
 }  // namespace

@@ -90,10 +90,10 @@ struct LevelCorners {
 
   // `used` is a subset of the corners, in reading order.
   void Mark(const std::vector<Corner>& used, Use use) {
-    auto at = corners.begin();
+    std::size_t at = 0;
     for (const Corner& corner : used) {
-      at = std::lower_bound(at, corners.end(), corner, InReadingOrder);
-      uses[static_cast<std::size_t>(at - corners.begin())] = use;
+      while (InReadingOrder(corners[at], corner)) ++at;
+      uses[at] = use;
     }
   }
 };
