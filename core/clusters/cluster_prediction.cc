@@ -31,8 +31,8 @@ std::optional<CameraSolution> SolvePose(const FrameView& view, const Cluster& cl
     if (solution.inliers >= min_inliers && 2 * solution.inliers >= static_cast<int>(matches.size()))
       return solution;
   }
-  return SolveCameraRansac(view.camera, measurements, view.options.noise, CountInliers,
-                           kRansacIterations, min_inliers, rng);
+  return SolveCameraRansac(view.camera, measurements, view.options.noise, {}, kRansacIterations,
+                           min_inliers, rng);
 }
 
 void AcceptPose(const FrameView& view, const std::vector<Match>& matches,

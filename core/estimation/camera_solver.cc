@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -78,15 +79,11 @@ std::optional<RigidTransform> AlignSample(const StereoCamera& camera,
 
 }  // namespace
 
-int CountInliers(const StereoCamera&, std::span<const PointMeasurement>,
-                 std::span<const char> is_inlier) {
-  return static_cast<int>(std::ranges::count(is_inlier, 1));
-}
-
 std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
                                                 std::span<const PointMeasurement> measurements,
-                                                const NoiseOptions& noise, Support& support,
-                                                int iterations, int min_inliers, Rng& rng) {
+                                                const NoiseOptions& noise,
+                                                std::span<const int> cubes, int iterations,
+                                                int min_inliers, Rng& rng) {
   if (measurements.size() < 3) return std::nullopt;
   CameraSolution best;
   int best_support = 0;
@@ -96,7 +93,7 @@ std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
     if (!world_from_camera) continue;
     CameraSolution agreeing = ClassifyMeasurements(camera, measurements, *world_from_camera,
                                                    kHypothesisGate * noise.gate);
-    const int supported = support(camera, measurements, agreeing.is_inlier);
+    const int supported = cubes.empty() ? agreeing.inliers : CountCubes(cubes, agreeing.is_inlier);
     if (agreeing.inliers >= 3 && supported > best_support) {
       best_support = supported;
       best = std::move(agreeing);
@@ -158,20 +155,27 @@ CameraSolution ClassifyMeasurements(const StereoCamera& camera,
   return solution;
 }
 
-int CoveredSpace(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
-                 std::span<const char> is_inlier) {
+std::vector<int> CubesOf(const StereoCamera& camera,
+                         std::span<const PointMeasurement> measurements) {
   constexpr double kSide = 4.0;  // baselines
-  using Cube = std::array<std::int64_t, 3>;
-  std::vector<Cube> cubes;
-  for (std::size_t i = 0; i < measurements.size(); ++i) {
-    if (!is_inlier[i]) continue;
+  std::map<std::array<double, 3>, int> numbers;
+  std::vector<int> cubes;
+  for (const PointMeasurement& measurement : measurements) {
     const Eigen::Vector3d at =
-        (measurements[i].p_in_world / (kSide * camera.baseline_m)).array().floor();
-    cubes.push_back({static_cast<std::int64_t>(at[0]), static_cast<std::int64_t>(at[1]),
-                     static_cast<std::int64_t>(at[2])});
+        (measurement.p_in_world / (kSide * camera.baseline_m)).array().floor();
+    const int next = static_cast<int>(numbers.size());
+    cubes.push_back(numbers.try_emplace({at[0], at[1], at[2]}, next).first->second);
   }
-  std::ranges::sort(cubes);
-  return static_cast<int>(std::unique(cubes.begin(), cubes.end()) - cubes.begin());
+  return cubes;
+}
+
+int CountCubes(std::span<const int> cubes, std::span<const char> is_inlier) {
+  std::vector<char> is_counted(cubes.size(), 0);
+  int count = 0;
+  for (std::size_t i = 0; i < cubes.size(); ++i) {
+    if (is_inlier[i] && !std::exchange(is_counted[cubes[i]], 1)) ++count;
+  }
+  return count;
 }
 
 namespace {

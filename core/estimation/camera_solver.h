@@ -50,31 +50,28 @@ CameraSolution ClassifyMeasurements(const StereoCamera& camera,
                                     std::span<const PointMeasurement> measurements,
                                     const RigidTransform& world_from_camera, double gate);
 
-// Returns how much of space the inliers cover: the number of cubes, with sides of four baselines,
-// that contain one. A near body may have more measurements than the static scene and cover more of
-// the image, but it is smaller.
-int CoveredSpace(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
-                 std::span<const char> is_inlier);
+// Divides space into cubes with sides of four baselines, numbers those that contain a measurement,
+// and returns the number for each. A near body may have more measurements than the static scene and
+// cover more of the image, but it is in fewer cubes.
+std::vector<int> CubesOf(const StereoCamera& camera,
+                         std::span<const PointMeasurement> measurements);
+// Number of different cubes that contain an inlier.
+int CountCubes(std::span<const int> cubes, std::span<const char> is_inlier);
 
 // Whitened residual of one measurement; empty if the point is behind the camera.
 std::optional<Eigen::Vector3d> WhitenedError(const StereoCamera& camera,
                                              const PointMeasurement& measurement,
                                              const RigidTransform& camera_from_world);
 
-// Scores a hypothesis by its inliers: CoveredSpace for a camera, CountInliers for a body.
-using Support = int(const StereoCamera&, std::span<const PointMeasurement>,
-                    std::span<const char> is_inlier);
-int CountInliers(const StereoCamera& camera, std::span<const PointMeasurement> measurements,
-                 std::span<const char> is_inlier);
-
 // Estimates the camera pose without an initial guess from measurements that may contain many
 // outliers. Each hypothesis is a 3D-3D alignment of three triangulated points. The one with the
-// highest support among the measurements within the gate (widened for the noise of the sample) is
-// refined by RefineCamera. Empty if there is no hypothesis, or if the refined pose has fewer than
-// min_inliers inliers.
+// most cubes (without `cubes`, measurements) within the gate, widened for the noise of the sample,
+// is refined by RefineCamera. Empty if there is no hypothesis, or if the refined pose has fewer
+// than min_inliers inliers.
 std::optional<CameraSolution> SolveCameraRansac(const StereoCamera& camera,
                                                 std::span<const PointMeasurement> measurements,
-                                                const NoiseOptions& noise, Support& support,
-                                                int iterations, int min_inliers, Rng& rng);
+                                                const NoiseOptions& noise,
+                                                std::span<const int> cubes, int iterations,
+                                                int min_inliers, Rng& rng);
 
 }  // namespace cvo

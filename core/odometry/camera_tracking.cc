@@ -90,7 +90,8 @@ RigidTransform BestCovering(const Options& options, const Window& window, const 
     const CameraSolution solution =
         RefineCamera(window.camera, measurements, candidate, options.noise);
     const double share = solution.inliers / std::max(1.0, static_cast<double>(measurements.size()));
-    const double covered = share * CoveredSpace(window.camera, measurements, solution.is_inlier);
+    const double covered =
+        share * CountCubes(CubesOf(window.camera, measurements), solution.is_inlier);
     if (covered <= most) continue;
     most = covered;
     best = solution.world_from_camera;
@@ -113,11 +114,11 @@ std::optional<RigidTransform> FindWithoutPrediction(const Options& options, cons
       MatchDescriptors(descriptors, grid.features(), options.tracking.kRecoveryHamming,
                        options.tracking.kRecoveryRatio);
   for (Match& match : matches) match.landmark = landmark[match.landmark];
+  const std::vector<PointMeasurement> measurements =
+      MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches);
   const auto solution = SolveCameraRansac(
-      window.camera,
-      MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
-      options.noise, CoveredSpace, options.tracking.kRecoveryIterations,
-      options.tracking.min_inliers, rng);
+      window.camera, measurements, options.noise, CubesOf(window.camera, measurements),
+      options.tracking.kRecoveryIterations, options.tracking.min_inliers, rng);
   if (!solution) return std::nullopt;
   return solution->world_from_camera;
 }
