@@ -100,7 +100,7 @@ std::string JobIdentity(const Job& job) {
 void CheckPossible(const std::string& name, double value, const std::string& where) {
   constexpr double kLargest = 1e12;
   const MetricEntry* entry = FindEntry(name);
-  const bool fraction = entry != nullptr && entry->kind == kFraction;
+  const bool fraction = entry != nullptr && entry->kind == MetricKind::kFraction;
   const double least = entry == nullptr ? -kLargest : fraction ? -1.0 : 0.0;  // ARI can be below 0
   const double most = fraction ? 1.0 : kLargest;
   if (value >= least && value <= most) return;
