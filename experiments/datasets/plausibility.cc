@@ -320,7 +320,8 @@ void RefuseImpossible(const Sequence& sequence) {
   RefuseFractions(sequence.box_sources.labels, sequence.labels);
 }
 
-std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated) {
+std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated,
+                                         int threads) {
   constexpr double kMostRepeated = 0.05, kSlowest_s = 1.0;
   std::vector<std::string> lines = sequence.notes;
   FindCalibration(sequence.camera, lines);
@@ -353,7 +354,7 @@ std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t r
   FindSpeed(sequence, lines);
   const bool rendered = std::filesystem::exists(sequence.folder / "manifest.json");
   if (!rendered && PerturbationToJson(sequence.perturbation).empty()) {
-    FindInImages(sequence, step_s, lines);
+    FindInImages(sequence, step_s, threads, lines);
   }
   return lines;
 }

@@ -39,7 +39,8 @@ void RefuseImpossible(const Sequence& sequence);
 // so, after the notes on reading: of the baseline, the times, the ground truth, the boxes and
 // labels, of images that repeat the ones before (`repeated` frames), and of FindInImages (not for
 // rendered scenes, whose files are known). Empty if nothing is.
-std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0);
+std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0,
+                                         int threads = 1);
 
 // What the images of a frame show: pixels of the left one with their disparities (third, px).
 // Corners of it are elsewhere in the left image of a later frame.
@@ -60,6 +61,7 @@ void FindDisorder(const Sequence& sequence, std::vector<std::string>& lines);
 
 // Adds what the images of a few frames contradict: each other, the calibration, the ground truth or
 // the boxes.
-void FindInImages(const Sequence& sequence, double step_s, std::vector<std::string>& lines);
+void FindInImages(const Sequence& sequence, double step_s, int threads,
+                  std::vector<std::string>& lines);
 
 }  // namespace cvo

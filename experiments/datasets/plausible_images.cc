@@ -9,24 +9,14 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/association/matching.h"
 #include "core/base/lists.h"
-#include "core/features/orb/orb.h"
+#include "core/base/task_pool.h"
 #include "core/files/text/number.h"
-#include "experiments/datasets/images.h"
 #include "experiments/datasets/plausibility.h"
+#include "experiments/datasets/plausible_pair.h"
 
 namespace cvo {
 namespace {
-
-using Corners = std::vector<OrbKeypoint>;
-
-// What is kept of an image: its corners and a smaller copy; empty if it cannot be decoded.
-struct SeenImage {
-  Corners corners;
-  cv::Mat small;
-  double brightest = 0.0;
-};
 
 // What makes an image useless; empty for one that cannot be decoded, which is told elsewhere.
 std::string LackOf(const SeenImage& seen) {
@@ -39,17 +29,6 @@ std::string LackOf(const SeenImage& seen) {
   if (cv::countNonZero(seen.small >= kWhite) > kMostWhite * static_cast<double>(seen.small.total()))
     return "are nearly white (overexposed?)";
   return "";
-}
-
-SeenImage See(const Sequence& sequence, std::size_t index, int side) {
-  SeenImage seen;
-  const cv::Mat grey = LoadFrameImage(sequence, index, side).grey;
-  if (grey.empty()) return seen;
-  seen.corners = ExtractOrb(grey, {.features = 1000}).keypoints;
-  const double scale = std::min(0.5, 640.0 / grey.cols);
-  cv::resize(grey, seen.small, cv::Size(), scale, scale, cv::INTER_AREA);
-  cv::minMaxLoc(grey, nullptr, &seen.brightest);
-  return seen;
 }
 
 // Pixels of the left image with their disparities in the third coordinate.
@@ -76,61 +55,13 @@ std::vector<Eigen::Vector3d> DisparitiesOf(const cv::Mat& left, const cv::Mat& r
   return points;
 }
 
-// For each corner of `from`, the one of `to` if each is clearly the most similar to the other; or
-// null.
-std::vector<const OrbKeypoint*> MatchAnywhere(const Corners& from, const Corners& to) {
-  const auto match = [](const Corners& these, const Corners& those) {
-    constexpr int kFarthest = 64;        // of 256 bits
-    constexpr double kUniqueness = 0.8;  // best / second-best distance
-    std::vector<Descriptor> descriptors;
-    std::vector<StereoFeature> features;
-    for (const OrbKeypoint& corner : these) descriptors.push_back(corner.descriptor);
-    for (const OrbKeypoint& corner : those) features.emplace_back().descriptor = corner.descriptor;
-    return MatchDescriptors(descriptors, features, kFarthest, kUniqueness);
-  };
-  std::vector<int> back(to.size(), -1);
-  for (const Match& found : match(to, from)) back[found.landmark] = found.feature;
-  std::vector<const OrbKeypoint*> partners(from.size(), nullptr);
-  for (const Match& found : match(from, to)) {
-    if (back[found.feature] == found.landmark) partners[found.landmark] = &to[found.feature];
-  }
-  return partners;
-}
-
-Eigen::Vector2d PixelOf(const OrbKeypoint& corner) { return {corner.u_px, corner.v_px}; }
-
-constexpr std::size_t kFewestMatches = 20;
-
-std::optional<PairCheck> CheckPair(const Corners& left,
-                                   const std::vector<const OrbKeypoint*>& right) {
-  std::vector<double> rows_px;
-  std::vector<double> disparities_px;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    if (right[i] == nullptr) continue;
-    const Eigen::Vector2d apart_px = PixelOf(left[i]) - PixelOf(*right[i]);
-    disparities_px.push_back(apart_px.x());
-    rows_px.push_back(std::abs(apart_px.y()));
-  }
-  if (rows_px.size() < kFewestMatches) return std::nullopt;
-  const bool same = *std::ranges::max_element(rows_px) == 0.0 &&
-                    std::ranges::all_of(disparities_px, [](double px) { return px == 0.0; });
-  PairCheck pair{0, rows_px.size(), Median(std::move(rows_px)), Median(std::move(disparities_px)),
-                 ""};
-  if (same) {
-    pair.problem = "the left and right images are the same";
-  } else if (pair.disparity_px < 0.0) {
-    pair.problem =
-        "left and right seem to be swapped: points are farther right in the right image than in "
-        "the left";
-  }
-  return pair;
-}
-
 constexpr double kLeastFlow_px = 3.0;  // less tells nothing
 constexpr double kLeastMove_px = 8.0;  // of corners in boxes, which detectors place less well
 
 // What the images of a frame and a later one tell: medians over corners.
 struct Sample {
+  std::size_t index = 0;  // in the sequence
+  Corners left;
   SeenFrame seen;
   std::string lack;     // of the left image
   bool rich = false;    // it has many corners
@@ -142,9 +73,7 @@ struct Sample {
   // which would hide a wrong scale. A quarter of the points fits better: others may be on moving
   // bodies or matched wrongly. Empty: too little motion.
   std::optional<double> error;
-  bool still = false;  // the ground truth has the same pose for both
-  // How much smaller row errors are with the right image of the frame before and of the next one.
-  std::array<std::optional<double>, 2> gains_px;
+  bool still = false;        // the ground truth has the same pose for both
   bool upside_down = false;  // what is seen below is farther than what is seen above
 };
 
@@ -213,8 +142,9 @@ Sample SampleFrame(const Sequence& sequence, std::size_t i,
   constexpr std::size_t kMany = 200, kFew = 350;  // corners
   const auto& truth = sequence.groundtruth_world_from_camera;
   Sample sample;
+  sample.index = i;
   sample.seen.frame = sequence.first_frame + static_cast<int>(i);
-  const SeenImage left = See(sequence, i, 0);
+  SeenImage left = See(sequence, i, 0);
   const SeenImage right = See(sequence, i, 1);
   const std::vector<const OrbKeypoint*> partners = MatchAnywhere(left.corners, right.corners);
   sample.lack = LackOf(left);
@@ -222,13 +152,6 @@ Sample SampleFrame(const Sequence& sequence, std::size_t i,
   sample.sparse = !left.small.empty() && left.corners.size() < kFew;
   sample.pair = CheckPair(left.corners, partners);
   sample.upside_down = IsUpsideDown(left.corners, partners, sequence.camera.height_px);
-  for (const std::size_t k : {0, 1}) {
-    const std::size_t beside = i + 2 * k - 1;
-    if (!sample.pair || beside >= sequence.images.size()) continue;
-    const auto other =
-        CheckPair(left.corners, MatchAnywhere(left.corners, See(sequence, beside, 1).corners));
-    if (other) sample.gains_px[k] = sample.pair->row_error_px - other->row_error_px;
-  }
   const bool boxes = !sequence.detections.empty() || !sequence.labels.empty();
   if (boxes) {
     const double scale = static_cast<double>(left.small.cols) / sequence.camera.width_px;
@@ -256,54 +179,81 @@ Sample SampleFrame(const Sequence& sequence, std::size_t i,
     Predict(sequence.camera, later_from_camera, first, left.corners, partners, later, sample);
     sample.still = truth[then]->Minus(*truth[i]).norm() == 0.0;
   }
+  sample.left = std::move(left.corners);
   return sample;
 }
 
 // Of a few frames over the sequence, each compared with the one a tenth of a second later, or half
 // a second where the camera moves slowly.
-std::vector<Sample> SampleImages(const Sequence& sequence, double step_s) {
+std::vector<Sample> SampleImages(const Sequence& sequence, double step_s, int threads) {
   constexpr std::size_t kSamples = 10;
   const auto frames_in = [&](double time_s) {
     return static_cast<std::size_t>(std::max(1.0, std::round(time_s / step_s)));
   };
   const std::array apart = {frames_in(0.1), frames_in(0.5)};
-  std::vector<Sample> samples;
+  std::vector<std::size_t> frames;
   for (std::size_t k = 0; k < kSamples && sequence.images.size() > apart[0]; ++k) {
     const std::size_t last = sequence.images.size() - 1 - apart[0];
     const std::size_t i = k * last / (kSamples - 1);
-    if (k > 0 && i == (k - 1) * last / (kSamples - 1)) continue;
-    samples.push_back(SampleFrame(sequence, i, apart));
+    if (frames.empty() || frames.back() != i) frames.push_back(i);
   }
+  std::vector<Sample> samples(frames.size());
+  TaskPool(threads).ParallelFor(static_cast<int>(frames.size()), [&](int k) {
+    samples[k] = SampleFrame(sequence, frames[k], apart);
+  });
   return samples;
 }
 
 constexpr std::size_t kFewestSamples = 5;
 
+// How much smaller row errors of a sample are with the right image of the frame before (k = 0) or
+// of the next one.
+std::optional<double> GainOf(const Sequence& sequence, const Sample& sample, std::size_t k) {
+  const std::size_t beside = sample.index + 2 * k - 1;
+  if (!sample.pair || beside >= sequence.images.size()) return std::nullopt;
+  const auto other =
+      CheckPair(sample.left, MatchAnywhere(sample.left, See(sequence, beside, 1).corners));
+  if (!other) return std::nullopt;
+  return sample.pair->row_error_px - other->row_error_px;
+}
+
 // Describes right images that are of other frames: some samples in a row have smaller row errors
 // with those of the frame before, or of the next one. Empty: there are none.
-std::string DescribeLate(const std::vector<Sample>& samples) {
+std::string DescribeLate(const Sequence& sequence, const std::vector<Sample>& samples) {
   constexpr double kLeast_px = 0.02;
   for (const std::size_t k : {0, 1}) {
-    std::vector<double> gains_px, longest_px;
-    for (const Sample& sample : samples) {
-      if (!sample.gains_px[k]) continue;
-      if (*sample.gains_px[k] <= 0.0)
-        gains_px.clear();
-      else
-        gains_px.push_back(*sample.gains_px[k]);
-      if (gains_px.size() > longest_px.size()) longest_px = gains_px;
+    std::vector<double> gains_px;
+    const auto is_better = [&](const Sample& sample) {
+      const std::optional<double> gain_px = GainOf(sequence, sample, k);
+      if (!gain_px || *gain_px <= 0.0) return false;
+      gains_px.push_back(*gain_px);
+      return true;
+    };
+    // Looks for kFewestSamples in a row from the last of them: of good images, few are looked at.
+    for (std::size_t begin = 0; begin + kFewestSamples <= samples.size();) {
+      gains_px.clear();
+      std::size_t i = begin + kFewestSamples;
+      while (i > begin && is_better(samples[i - 1])) --i;
+      if (i > begin) {
+        begin = i;
+        continue;
+      }
+      for (i = begin + kFewestSamples; i < samples.size() && is_better(samples[i]);) ++i;
+      if (Median(gains_px) >= kLeast_px) {
+        return StrCat("stereo pair: in ", gains_px.size(), " of ", samples.size(),
+                      " places, rows differ by ", FormatFixed(Median(gains_px), 2),
+                      " px less with the right image of the frame ", k == 0 ? "before" : "after",
+                      " (right images of other frames?)");
+      }
+      begin = i + 1;
     }
-    if (longest_px.size() < kFewestSamples || Median(longest_px) < kLeast_px) continue;
-    return StrCat("stereo pair: in ", longest_px.size(), " of ", samples.size(),
-                  " places, rows differ by ", FormatFixed(Median(longest_px), 2),
-                  " px less with the right image of the frame ", k == 0 ? "before" : "after",
-                  " (right images of other frames?)");
   }
   return "";
 }
 
 // Finds contradictions between images, calibration and ground truth, in the median of the samples.
-void FindContradictions(const std::vector<Sample>& samples, std::vector<std::string>& lines) {
+void FindContradictions(const Sequence& sequence, const std::vector<Sample>& samples,
+                        std::vector<std::string>& lines) {
   constexpr double kMostRows_px = 1.0, kNearest_m = 0.1, kFarthest_m = 150.0;
   constexpr double kMostError = 0.15;  // part of the motion
   std::vector<double> depths_m, flows_px, errors;
@@ -346,7 +296,7 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
   } else if (5 * problems.size() > samples.size()) {
     lines.push_back(StrCat("stereo pair: in ", problems.size(), " of ", samples.size(), " places, ",
                            problems[0]));
-  } else if (const std::string late = DescribeLate(samples); !late.empty()) {
+  } else if (const std::string late = DescribeLate(sequence, samples); !late.empty()) {
     lines.push_back(late);
   } else if (5 * apart_in_rows > std::ssize(samples)) {
     lines.push_back(StrCat("stereo pair: in ", apart_in_rows, " of ", samples.size(),
@@ -371,18 +321,10 @@ void FindContradictions(const std::vector<Sample>& samples, std::vector<std::str
 
 }  // namespace
 
-std::optional<PairCheck> CheckMiddlePair(const Sequence& sequence) {
-  const std::size_t middle = sequence.images.size() / 2;
-  const Corners left = See(sequence, middle, 0).corners;
-  const Corners right = See(sequence, middle, 1).corners;
-  std::optional<PairCheck> pair = CheckPair(left, MatchAnywhere(left, right));
-  if (pair) pair->frame = sequence.first_frame + static_cast<int>(middle);
-  return pair;
-}
-
-void FindInImages(const Sequence& sequence, double step_s, std::vector<std::string>& lines) {
-  std::vector<Sample> samples = SampleImages(sequence, step_s);
-  FindContradictions(samples, lines);
+void FindInImages(const Sequence& sequence, double step_s, int threads,
+                  std::vector<std::string>& lines) {
+  std::vector<Sample> samples = SampleImages(sequence, step_s, threads);
+  FindContradictions(sequence, samples, lines);
   FindDisorder(sequence, lines);
   std::vector<SeenFrame> frames;
   for (Sample& sample : samples) frames.push_back(std::move(sample.seen));

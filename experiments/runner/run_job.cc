@@ -241,7 +241,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
     if (hashes[i].left == hashes[i - 1].left || hashes[i].right == hashes[i - 1].right) ++repeated;
   }
   const bool as_recorded = PerturbationToJson(sequence.perturbation).empty();
-  result.warnings = FindImplausible(sequence, as_recorded ? repeated : 0);
+  result.warnings = FindImplausible(sequence, as_recorded ? repeated : 0, request.threads);
   result.job = JobOf(request, result.content);
   return result;
 }

@@ -47,7 +47,7 @@ std::size_t CountRepeated(const Sequence& sequence) {
 
 std::vector<std::string> Warnings(const Sequence& sequence) {
   ReadBodyTruth(sequence);  // throws Error if files contradict each other
-  return FindImplausible(sequence, CountRepeated(sequence));
+  return FindImplausible(sequence, CountRepeated(sequence), DefaultThreads());
 }
 
 std::string DetectionsText(const Sequence& sequence) {

@@ -321,7 +321,7 @@ TEST(Plausibility, ComparesImagesWithEverythingElse) {
     Sequence sequence = good;
     c.spoil(sequence);
     std::vector<std::string> lines;
-    FindInImages(sequence, 0.1, lines);
+    FindInImages(sequence, 0.1, 1, lines);
     ASSERT_EQ(lines.size(), c.message.empty() ? 0U : 1U)
         << c.message << testing::PrintToString(lines);
     if (!lines.empty()) {
