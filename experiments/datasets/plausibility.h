@@ -38,7 +38,8 @@ void RefuseImpossible(const Sequence& sequence);
 // Describes what is well-formed but unlikely, one line per finding, with the number that makes it
 // so, after the notes on reading: of the baseline, the times, the ground truth, the boxes and
 // labels, of images that repeat the ones before (`repeated` frames), and of FindInImages (not for
-// rendered scenes, whose files are known). Empty if nothing is.
+// rendered scenes, whose files are known). Empty if nothing is. Does not depend on the number of
+// threads.
 std::vector<std::string> FindImplausible(const Sequence& sequence, std::size_t repeated = 0,
                                          int threads = 1);
 
