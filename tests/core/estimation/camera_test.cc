@@ -42,10 +42,16 @@ TEST(SolveCamera, RejectsThirtyPercentOfOutliers) {
   for (int i = 0; i < 60; ++i) EXPECT_FALSE(solution.is_inlier[i]);
 }
 
+std::optional<CameraSolution> SolveInCubes(const std::vector<PointMeasurement>& measurements,
+                                           int iterations, int min_inliers, Rng& rng) {
+  return SolveCameraRansac(kCamera, measurements, {}, CubesOf(kCamera, measurements), iterations,
+                           min_inliers, rng);
+}
+
 TEST(SolveCameraRansac, FindsTheCameraAmongSixtyPercentOfOutliers) {
   Rng rng(3, "ransac");
   const auto measurements = Measure(150, 90, 0.3, rng);
-  const auto solution = SolveCameraRansac(kCamera, measurements, {}, {}, 300, 20, rng);
+  const auto solution = SolveInCubes(measurements, 300, 20, rng);
   ASSERT_TRUE(solution);
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
   EXPECT_GE(solution->inliers, 55);
@@ -69,8 +75,7 @@ std::vector<PointMeasurement> MeasureBehindVehicle(Rng& rng) {
 TEST(SolveCameraRansac, PrefersInliersThatCoverMoreOfSpace) {
   Rng rng(6, "ransac");
   const auto measurements = MeasureBehindVehicle(rng);
-  const auto cubes = CubesOf(kCamera, measurements);
-  const auto solution = SolveCameraRansac(kCamera, measurements, {}, cubes, 300, 20, rng);
+  const auto solution = SolveInCubes(measurements, 300, 20, rng);
   ASSERT_TRUE(solution);
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 0.02);
 }
@@ -88,8 +93,8 @@ TEST(RefineCamera, IsNotDrawnToTheMotionOfMostPoints) {
 
 TEST(SolveCameraRansac, FindsNothingWithoutAgreement) {
   Rng rng(4, "ransac");
-  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(60, 60, 0.3, rng), {}, {}, 300, 20, rng));
-  EXPECT_FALSE(SolveCameraRansac(kCamera, Measure(2, 0, 0.3, rng), {}, {}, 300, 3, rng));
+  EXPECT_FALSE(SolveInCubes(Measure(60, 60, 0.3, rng), 300, 20, rng));
+  EXPECT_FALSE(SolveInCubes(Measure(2, 0, 0.3, rng), 300, 3, rng));
 }
 
 TEST(SolveCamera, IgnoresPointsBehindTheCamera) {
@@ -126,12 +131,12 @@ TEST(SolveCameraRansac, DoesNotSampleMeasurementsWithoutDisparity) {
   Rng rng(9, "ransac");
   std::vector<PointMeasurement> measurements = Measure(40, 0, 0.0, rng);
   for (std::size_t i = 0; i < 20; ++i) measurements[i].z_px[2] = measurements[i].z_px[0] + 1.0;
-  const auto solution = SolveCameraRansac(kCamera, measurements, {}, {}, 100, 20, rng);
+  const auto solution = SolveInCubes(measurements, 100, 20, rng);
   ASSERT_TRUE(solution);
   EXPECT_EQ(solution->inliers, 20);
   EXPECT_LT(kTruth.Minus(solution->world_from_camera).norm(), 1e-6);
   for (PointMeasurement& m : measurements) m.z_px[2] = m.z_px[0] + 1.0;
-  EXPECT_FALSE(SolveCameraRansac(kCamera, measurements, {}, {}, 100, 3, rng));
+  EXPECT_FALSE(SolveInCubes(measurements, 100, 3, rng));
 }
 
 const RigidTransform kMotion(ExpSo3({0.3, -0.5, 0.2}), Eigen::Vector3d(2.0, -1.0, 4.0));
