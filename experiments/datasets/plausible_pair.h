@@ -22,6 +22,7 @@ struct SeenImage {
   double brightest = 0.0;
 };
 
+// Looks at the left (side 0) or right image of a frame.
 SeenImage See(const Sequence& sequence, std::size_t index, int side);
 
 // For each corner of `from`, the one of `to` if each is clearly the most similar to the other; or
