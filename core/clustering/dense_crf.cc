@@ -359,6 +359,14 @@ template CrfResult InferDenseCrf<RawGaussianKernel>(const CrfMatrix&, const Eige
 template CrfResult InferDenseCrf<NoPairwise>(const CrfMatrix&, const Eigen::Matrix3Xd&,
                                              const PairwiseOptions&, CrfMemory&);
 
+Eigen::Matrix3Xd MovingPlaces(const CrfScene& scene) {
+  Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(scene.nodes.size()));
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    places.col(i) = scene.nodes[static_cast<std::size_t>(i)].MovingPlace().p_in_camera;
+  }
+  return places;
+}
+
 std::vector<int> MostLikelyLabels(const CrfMatrix& q) {
   std::vector<int> labels(q.rows(), 0);
   for (Eigen::Index i = 0; i < q.rows(); ++i) {

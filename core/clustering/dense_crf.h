@@ -68,6 +68,9 @@ struct CrfScene {
   std::vector<CrfLabel> labels;
 };
 
+// Where the pairwise term has the nodes: their MovingPlace, 3 x N.
+Eigen::Matrix3Xd MovingPlaces(const CrfScene& scene);
+
 // The cluster of a landmark and the confidence w in it (section 3.2 of the paper).
 struct LabelState {
   ClusterId cluster;  // invalid: none yet

@@ -25,14 +25,6 @@ inline double MahalanobisSquared(const Eigen::Matrix3d& covariance, const Eigen:
   return covariance.llt().matrixL().solve(d).squaredNorm();
 }
 
-// The three terms, each normalised and capped, and their sum.
-struct UnaryEnergies {
-  EnergyMatrix total;
-  EnergyMatrix box;
-  EnergyMatrix affinity;
-  EnergyMatrix motion;
-};
-
 template <typename Term>
 EnergyMatrix TermEnergies(const CrfScene& scene, const UnaryOptions& options) {
   EnergyMatrix energies(static_cast<Eigen::Index>(scene.nodes.size()),
@@ -42,15 +34,10 @@ EnergyMatrix TermEnergies(const CrfScene& scene, const UnaryOptions& options) {
   return energies;
 }
 
-// psi_u (Eq. 5 of the paper) as an energy: the sum of -log p_2D, -log p_3D and -log p_mot.
-template <typename Box, typename Affinity, typename Motion>
-UnaryEnergies ComputeUnaries(const CrfScene& scene, const UnaryOptions& options) {
-  UnaryEnergies unaries;
-  unaries.box = TermEnergies<Box>(scene, options);
-  unaries.affinity = TermEnergies<Affinity>(scene, options);
-  unaries.motion = TermEnergies<Motion>(scene, options);
-  unaries.total = unaries.box + unaries.affinity + unaries.motion;
-  return unaries;
+// psi_u (Eq. 5 of the paper) as an energy: the sum of the terms, each normalised and capped.
+template <typename... Terms>
+EnergyMatrix ComputeUnaries(const CrfScene& scene, const UnaryOptions& options) {
+  return (... + TermEnergies<Terms>(scene, options));
 }
 
 // A term that prefers no label: labels do not depend on the distance from the centres of bodies, or

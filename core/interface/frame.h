@@ -11,6 +11,7 @@
 #include "core/base/ids.h"
 #include "core/base/stage_times.h"
 #include "core/base/task_pool.h"
+#include "core/clustering/dense_crf.h"
 #include "core/features/stereo_feature.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/geometry/stereo_camera.h"
@@ -104,15 +105,6 @@ struct LandmarkReport {
   ClusterId inferred;  // cluster inferred by the CRF in this frame; invalid for an outlier
   int confidence = 0;  // confidence w^i in the assignment
   Eigen::Vector3d p_in_world = Eigen::Vector3d::Zero();
-  // Unary energies of the inferred label, nats: 2D box, 3D affinity, motion.
-  double energy_2d = 0.0;
-  double energy_3d = 0.0;
-  double energy_motion = 0.0;
-  // The best of the other labels by these energies; invalid for the outlier label.
-  ClusterId second;
-  double second_2d = 0.0;
-  double second_3d = 0.0;
-  double second_motion = 0.0;
 };
 
 // Current estimate of the stereo calibration: StereoCamera::right_field_px and the information on
@@ -146,6 +138,7 @@ struct FrameReport {
   double mean_error_px = 0.0;
   std::vector<ClusterReport> clusters;    // live clusters, sorted by id
   std::vector<LandmarkReport> landmarks;  // observed in the frame, static ones included, by feature
+  CrfScene crf;  // a node per landmark, in their order; empty if there is nothing to label
 };
 
 struct OdometrySetup {

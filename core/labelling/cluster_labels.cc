@@ -183,15 +183,6 @@ std::vector<ClusterId> ContinueClusters(const FrameView& view, const Window& win
   return MatchLabels(scene.labels, {label_of_old, previous}, view.options.label_matching);
 }
 
-// Returns the label with the lowest energy other than `decided`. There must be at least two labels.
-int SecondLabel(const EnergyMatrix& total, Eigen::Index node, int decided) {
-  int second = decided == 0 ? 1 : 0;
-  for (int label = 0; label < total.cols(); ++label) {
-    if (label != decided && total(node, label) < total(node, second)) second = label;
-  }
-  return second;
-}
-
 // The report on a point, with the label that its landmark has so far or, without one, `inferred`.
 LandmarkReport Unlabelled(const FrameView& view, const FramePoint& point, const Landmark* landmark,
                           ClusterId inferred) {
@@ -239,10 +230,8 @@ void DropWeakBirths(int min_landmarks, const Window& window, const ClusterMap& m
   labels.births = kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
     LandmarkReport& label = labels.points[i];
-    for (ClusterId* id : {&label.inferred, &label.second}) {
-      const auto found = renamed.find(*id);
-      if (found != renamed.end()) *id = found->second;
-    }
+    const auto found = renamed.find(label.inferred);
+    if (found != renamed.end()) label.inferred = found->second;
     const auto assigned = renamed.find(label.cluster);
     if (assigned == renamed.end()) continue;
     label.cluster = assigned->second;
@@ -281,18 +270,14 @@ FrameLabels LabelPoints(const FrameView& view, const LabelSteps& steps, const Wi
     }
     return labels;
   }
-  const CrfScene scene = BuildCrfScene(view, steps.new_body, window, map, tracks, points);
-  const UnaryEnergies unary = steps.unaries(scene, view.options.unary);
-  Eigen::Matrix3Xd positions(3, static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    positions.col(static_cast<Eigen::Index>(i)) = scene.nodes[i].MovingPlace().p_in_camera;
-  }
-  const CrfResult crf = steps.infer(unary.total, positions, view.options.pairwise, memory);
+  labels.scene = BuildCrfScene(view, steps.new_body, window, map, tracks, points);
+  const CrfScene& scene = labels.scene;
+  const EnergyMatrix unary = steps.unaries(scene, view.options.unary);
+  const CrfResult crf = steps.infer(unary, MovingPlaces(scene), view.options.pairwise, memory);
   const std::vector<int> decided = DecideLabels(view, points, scene, crf);
   std::vector<ClusterId> cluster_of = ContinueClusters(view, window, map, points, scene, decided);
   NameLabels(map.next, scene.labels, cluster_of, labels);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Index row = static_cast<Eigen::Index>(i);
     const Landmark* landmark = landmark_of(i);
     LandmarkReport label = Unlabelled(view, points[i], landmark, cluster_of[decided[i]]);
     if (landmark) {
@@ -301,14 +286,6 @@ FrameLabels LabelPoints(const FrameView& view, const LabelSteps& steps, const Wi
       label.cluster = is_removed ? ClusterId{} : state.cluster;
       label.confidence = state.confidence;
     }
-    label.energy_2d = unary.box(row, decided[i]);
-    label.energy_3d = unary.affinity(row, decided[i]);
-    label.energy_motion = unary.motion(row, decided[i]);
-    const int second = SecondLabel(unary.total, row, decided[i]);
-    label.second = cluster_of[second];
-    label.second_2d = unary.box(row, second);
-    label.second_3d = unary.affinity(row, second);
-    label.second_motion = unary.motion(row, second);
     labels.points.push_back(label);
   }
   DropWeakBirths(view.options.clusters.min_landmarks, window, map, points, labels);

@@ -12,7 +12,7 @@ namespace cvo {
 
 // The steps of the labelling in which variants differ.
 struct LabelSteps {
-  UnaryEnergies (*unaries)(const CrfScene&, const UnaryOptions&);
+  EnergyMatrix (*unaries)(const CrfScene&, const UnaryOptions&);
   CrfResult (*infer)(const CrfMatrix&, const Eigen::Matrix3Xd&, const PairwiseOptions&, CrfMemory&);
   LabelOutcome (*adopt)(ClusterId inferred, LabelState& state);
   NewBodyRule new_body;
@@ -35,6 +35,7 @@ struct FrameLabels {
     int detection = -1;
   };
   std::vector<Adoption> adoptions;
+  CrfScene scene;  // in which the labels were inferred
 };
 
 // Collects what is known of every point and every class (section 3.2 of the paper). The current

@@ -83,6 +83,7 @@ class VisualOdometry final : public Odometry {
     report.matches = track ? track->matches : 0;
     report.inliers = static_cast<int>(step.static_matches.size());
     report.landmarks = std::move(step.labels.points);
+    report.crf = std::move(step.labels.scene);
     report = EndTracked(step.view, std::move(report));
     Keep(std::move(frame), report.landmarks);
     return report;

@@ -113,7 +113,7 @@ struct ObjectRow {
 };
 
 // A landmark observed in a frame: a row of landmarks.csv. Labels: 0 is the static scene, empty is
-// none (an outlier). Pixels are in the left image read, energies in nats.
+// none (an outlier). Pixels are in the left image read.
 struct LandmarkRow {
   int frame = 0;
   std::int64_t id = 0;
@@ -121,11 +121,8 @@ struct LandmarkRow {
   std::optional<std::int64_t> cluster;             // its cluster after the frame was processed
   std::optional<std::int64_t> inferred;            // by the energies of this frame alone
   int confidence = 0;
-  Eigen::Vector3d energies = Eigen::Vector3d::Zero();  // 2D, 3D, motion
   Eigen::Vector3d p_in_world = Eigen::Vector3d::Zero();
-  std::optional<int> truth_body;       // 0: the static scene; empty: unknown
-  std::optional<std::int64_t> second;  // the label with the second lowest energy
-  Eigen::Vector3d second_energies = Eigen::Vector3d::Zero();
+  std::optional<int> truth_body;  // 0: the static scene; empty: unknown
 
   template <typename Self, typename Archive>
   static void VisitColumns(Self& self, Archive& archive) {
@@ -135,11 +132,8 @@ struct LandmarkRow {
     archive.Cells("cluster", self.cluster);
     archive.Cells("inferred", self.inferred);
     archive.Cells("confidence", self.confidence);
-    archive.Cells("energy_2d,energy_3d,energy_motion", self.energies);
     archive.Cells("x,y,z", self.p_in_world);
     archive.Cells("truth_body", self.truth_body);
-    archive.Cells("second", self.second);
-    archive.Cells("second_2d,second_3d,second_motion", self.second_energies);
   }
 };
 

@@ -79,27 +79,6 @@ std::vector<LandmarkTruth> AddTruth(const RunRequest& request, int index, TruthO
   return feature_truth;
 }
 
-// Counts landmarks that are alike: a frame has a thousand landmarks of a dozen kinds.
-std::vector<LandmarkObservation> Observe(const std::vector<LandmarkReport>& landmarks,
-                                         const std::vector<LandmarkTruth>& feature_truth) {
-  std::vector<LandmarkObservation> kinds;
-  if (feature_truth.empty()) return kinds;
-  for (const LandmarkReport& landmark : landmarks) {
-    const auto cluster = static_cast<std::int32_t>(landmark.cluster.value);
-    const LandmarkTruth& truth = feature_truth.at(static_cast<std::size_t>(landmark.feature));
-    const auto kind =
-        std::find_if(kinds.begin(), kinds.end(), [&](const LandmarkObservation& other) {
-          return other.cluster == cluster && other.truth == truth;
-        });
-    if (kind == kinds.end()) {
-      kinds.push_back({cluster, truth, 1});
-    } else {
-      ++kind->count;
-    }
-  }
-  return kinds;
-}
-
 // Appends the stage times of the last frame.
 void KeepTimes(const StageTimes& times_s, RunResult& result) {
   for (const auto& [stage, time_s] : times_s) result.times_s.try_emplace(stage);
@@ -120,12 +99,13 @@ void Estimate(const StereoFrame& frame, Odometry& odometry, StageTimes& times_s,
   record.detections = frame.detections;
 }
 
-// Passes the landmarks of a frame to `sink` and keeps only their counts.
-void GiveLandmarks(const StereoFrame& given, const std::vector<LandmarkTruth>& feature_truth,
-                   const LandmarkSink& sink, FrameRecord& record) {
-  const std::vector<LandmarkReport> landmarks = std::exchange(record.report.landmarks, {});
-  if (sink) sink(LandmarkRows(record.frame, given, landmarks, feature_truth));
-  record.landmarks = Observe(landmarks, feature_truth);
+// Passes a frame to `sink`, then keeps only the counts of its landmarks.
+void GiveFrame(const StereoFrame& given, const std::vector<LandmarkTruth>& feature_truth,
+               const FrameSink& sink, FrameRecord& record) {
+  if (sink) sink({given, feature_truth, record});
+  record.landmarks = CountLandmarks(record.report.landmarks, feature_truth);
+  record.report.landmarks = {};
+  record.report.crf = {};
 }
 
 // Takes the final poses from the estimator. A failed run keeps its camera poses as they are, and no
@@ -168,6 +148,26 @@ std::string JobOf(const RunRequest& request, const std::string& content) {
 
 }  // namespace
 
+std::vector<LandmarkObservation> CountLandmarks(const std::vector<LandmarkReport>& landmarks,
+                                                const std::vector<LandmarkTruth>& feature_truth) {
+  std::vector<LandmarkObservation> kinds;
+  if (feature_truth.empty()) return kinds;
+  for (const LandmarkReport& landmark : landmarks) {
+    const auto cluster = static_cast<std::int32_t>(landmark.cluster.value);
+    const LandmarkTruth& truth = feature_truth.at(static_cast<std::size_t>(landmark.feature));
+    const auto kind =
+        std::find_if(kinds.begin(), kinds.end(), [&](const LandmarkObservation& other) {
+          return other.cluster == cluster && other.truth == truth;
+        });
+    if (kind == kinds.end()) {
+      kinds.push_back({cluster, truth, 1});
+    } else {
+      ++kind->count;
+    }
+  }
+  return kinds;
+}
+
 Json ResolvedOptions(Options options) { return OptionsToJson(OptionLeaves(options)); }
 
 Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
@@ -181,7 +181,7 @@ std::string IdentifyJob(const RunRequest& request) {
 }
 
 std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader* truth,
-                                     const LandmarkSink& landmarks) {
+                                     const FrameSink& sink) {
   const Sequence& sequence = request.sequence;
   Require(request.images.empty() || request.images.size() == sequence.images.size(),
           "RunSequence: the hashes of all frames, or of none");
@@ -220,7 +220,7 @@ std::optional<RunResult> RunSequence(const RunRequest& request, BodyTruthReader*
       result.message = StrCat("frame ", record.frame, ": ", error.what());
       break;
     }
-    GiveLandmarks(frame, feature_truth, landmarks, record);
+    GiveFrame(frame, feature_truth, sink, record);
     result.frames.push_back(std::move(record));
     prepared.times_s["frame"] = SecondsSince(frame_start) - beside.seconds;
     KeepTimes(prepared.times_s, result);
@@ -286,10 +286,13 @@ std::optional<RunResult> RunJob(const RunRequest& request, const std::filesystem
   const std::unique_ptr<BodyTruthReader> truth = ReadBodyTruth(request.sequence);
   const ObjectTruth* bodies = truth ? &truth->objects() : nullptr;
   std::optional<StagedFile> landmarks;
-  LandmarkSink sink;
+  FrameSink sink;
   if (request.landmarks) {
     landmarks.emplace(BeginLandmarks(folder));
-    sink = [&landmarks](const std::string& rows) { landmarks->Append(rows); };
+    sink = [&landmarks](const EstimatedFrame& seen) {
+      landmarks->Append(LandmarkRows(seen.record.frame, seen.given, seen.record.report.landmarks,
+                                     seen.feature_truth));
+    };
   }
   std::optional<RunResult> run = RunSequence(request, truth.get(), sink);
   if (!run) return std::nullopt;

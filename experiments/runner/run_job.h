@@ -32,8 +32,18 @@ Json Given(const Sequence& sequence, const std::vector<std::string>& classes,
 // nothing is decoded. Does not read images whose hashes are in the request.
 std::string IdentifyJob(const RunRequest& request);
 
-// Receives the LandmarkRows of each frame.
-using LandmarkSink = std::function<void(const std::string& rows)>;
+// An estimated frame with all that its record does not keep.
+struct EstimatedFrame {
+  const StereoFrame& given;
+  const std::vector<LandmarkTruth>& feature_truth;  // empty without ground truth
+  const FrameRecord& record;                        // its report has landmarks and CRF
+};
+using FrameSink = std::function<void(const EstimatedFrame&)>;
+
+// Counts landmarks that are alike: a frame has a thousand landmarks of a dozen kinds. Empty without
+// ground truth.
+std::vector<LandmarkObservation> CountLandmarks(const std::vector<LandmarkReport>& landmarks,
+                                                const std::vector<LandmarkTruth>& feature_truth);
 
 // Runs the variant over every frame of the sequence. Returns nothing if `stop` ended the run. An
 // Error of the estimator itself is a result too (status failed, with the frames so far); all others
@@ -41,7 +51,7 @@ using LandmarkSink = std::function<void(const std::string& rows)>;
 // count as the run's.
 [[nodiscard]] std::optional<RunResult> RunSequence(const RunRequest& request,
                                                    BodyTruthReader* truth = nullptr,
-                                                   const LandmarkSink& landmarks = {});
+                                                   const FrameSink& sink = {});
 
 // Scores a run. `objects`: the ground truth of the bodies; null: there is none.
 RunScores ScoreRun(const RunResult& run, const ObjectTruth* objects = nullptr);

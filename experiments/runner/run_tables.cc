@@ -26,7 +26,7 @@ namespace {
 // Of landmarks.csv. Finer than anything that is computed from these values, and half the bytes of
 // an exact representation.
 constexpr int kDecimalsPixels = 2;
-constexpr int kDecimals = 3;  // m, nats
+constexpr int kDecimals = 3;  // m
 
 double Rounded(double value, int decimals) {
   const double scale = std::pow(10.0, decimals);
@@ -99,14 +99,9 @@ std::string LandmarkRows(int frame, const StereoFrame& given,
     row.cluster = LabelOf(landmark.cluster);
     row.inferred = LabelOf(landmark.inferred);
     row.confidence = landmark.confidence;
-    row.energies =
-        Rounded({landmark.energy_2d, landmark.energy_3d, landmark.energy_motion}, kDecimals);
     row.p_in_world = Rounded(landmark.p_in_world, kDecimals);
     const int body = feature_truth.empty() ? -1 : feature_truth[feature].body;
     if (body >= 0) row.truth_body = body;
-    row.second = LabelOf(landmark.second);
-    row.second_energies =
-        Rounded({landmark.second_2d, landmark.second_3d, landmark.second_motion}, kDecimals);
     rows += CsvLine(row);
   }
   return rows;

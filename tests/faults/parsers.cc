@@ -116,7 +116,7 @@ std::vector<Parser> ResultParsers() {
                "1,2,3,1,2,3,4,17,0,0.5\n")},
        [](const fs::path& file) { ReadObjects(file); }},
       {"landmarks.csv",
-       {StrCat(CsvHeader<LandmarkRow>(), "\n0,7,10.5,20,9,0,1,2,0.1,0.2,0.3,1,2,3,,,0,0,0\n")},
+       {StrCat(CsvHeader<LandmarkRow>(), "\n0,7,10.5,20,9,0,1,2,1,2,3,\n")},
        [](const fs::path& file) { ReadLandmarks(file, LandmarkLabel::kCluster); }}};
 }
 

@@ -203,7 +203,7 @@ struct Counts {
 template <typename Affinity, typename Motion>
 Counts CountCar() {
   const CrfScene scene = CarScene();
-  const EnergyMatrix total = ComputeUnaries<Box2dTerm, Affinity, Motion>(scene, {}).total;
+  const EnergyMatrix total = ComputeUnaries<Box2dTerm, Affinity, Motion>(scene, {});
   Counts counts;
   for (Eigen::Index i = 0; i < total.rows(); ++i) {
     Eigen::Index label = 0;

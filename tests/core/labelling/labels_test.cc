@@ -176,8 +176,6 @@ TEST(DropWeakBirths, RenumbersTheOthersAndReleasesThePoints) {
   frame.Add(p, kNoOwner, -1, kStaticScene);
   // Inferred to belong to a new cluster, but not yet assigned to it.
   frame.labels.points.back().inferred = ClusterId{7};
-  frame.labels.points.back().second = ClusterId{6};
-  frame.labels.points.front().second = ClusterId{7};
   frame.labels.births = {{ClusterId{5}, 0, -1}, {ClusterId{6}, 1, -1}, {ClusterId{7}, 2, -1}};
   DropWeakBirths(3, frame.window, frame.map, frame.points, frame.labels);
   ASSERT_THAT(frame.labels.births, SizeIs(2));
@@ -191,8 +189,6 @@ TEST(DropWeakBirths, RenumbersTheOthersAndReleasesThePoints) {
   EXPECT_FALSE(frame.labels.points[3].inferred.valid());
   EXPECT_EQ(frame.labels.points[5].inferred, ClusterId{6});
   EXPECT_EQ(frame.labels.points.back().inferred, ClusterId{6});
-  EXPECT_FALSE(frame.labels.points.back().second.valid());
-  EXPECT_EQ(frame.labels.points.front().second, ClusterId{6});
 }
 
 TEST(CollectPoints, OmitsOnlyNewPointsWithoutDisparity) {

@@ -234,15 +234,10 @@ TEST(LandmarkRows, HaveTheFeatureTheLabelsAndTheTruth) {
   landmark.cluster = ClusterId{2};
   landmark.confidence = -3;
   landmark.p_in_world = {1, 2, 3};
-  landmark.energy_3d = 0.5;
-  landmark.second = ClusterId{4};
-  landmark.second_motion = 1.25;
-  EXPECT_EQ(LandmarkRows(9, frame, {landmark}, {}),
-            "9,77,10.5,20,8,2,,-3,0,0.5,0,1,2,3,,4,0,0,1.25\n");
-  EXPECT_EQ(LandmarkRows(9, frame, {landmark}, {{-1}, {4}}),
-            "9,77,10.5,20,8,2,,-3,0,0.5,0,1,2,3,4,4,0,0,1.25\n");
+  EXPECT_EQ(LandmarkRows(9, frame, {landmark}, {}), "9,77,10.5,20,8,2,,-3,1,2,3,\n");
+  EXPECT_EQ(LandmarkRows(9, frame, {landmark}, {{-1}, {4}}), "9,77,10.5,20,8,2,,-3,1,2,3,4\n");
   EXPECT_THROW(LandmarkRows(9, frame, {landmark}, {{4}}), Error);
-  EXPECT_EQ(Cells(CsvHeader<reports::LandmarkRow>() + "\n", ',')[0].size(), 19U);
+  EXPECT_EQ(Cells(CsvHeader<reports::LandmarkRow>() + "\n", ',')[0].size(), 12U);
 }
 
 RigidTransform At(double x) { return {Eigen::Quaterniond::Identity(), Eigen::Vector3d(x, 0, 0)}; }

@@ -130,7 +130,9 @@ TEST_F(RunnerClusters, DetectionsReachTheirFrames) {
 
 TEST_F(RunnerClusters, LandmarksAreHandedOverFrameByFrame) {
   std::vector<std::string> rows;
-  const auto keep = [&rows](const std::string& of_frame) { rows.push_back(of_frame); };
+  const auto keep = [&rows](const EstimatedFrame& seen) {
+    rows.push_back(LandmarkRows(seen.record.frame, seen.given, seen.record.report.landmarks, {}));
+  };
   const RunResult run = RunSequence(Request(), nullptr, keep).value();
   EXPECT_THAT(run.frames[0].report.landmarks, IsEmpty());
   ASSERT_THAT(rows, SizeIs(kFrames));
