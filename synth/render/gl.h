@@ -25,94 +25,84 @@ class GlFunction {
   void (*found_)();
 };
 
+#define CVO_GL(type, name) PFNGL##type##PROC name = GlFunction("gl" #name)
+
 // The OpenGL 4.5 functions in use, named without their prefix, and valid in every context.
 struct Gl {
   // objects
-  PFNGLCREATEBUFFERSPROC CreateBuffers = GlFunction("glCreateBuffers");
-  PFNGLNAMEDBUFFERSTORAGEPROC NamedBufferStorage = GlFunction("glNamedBufferStorage");
-  PFNGLCREATEVERTEXARRAYSPROC CreateVertexArrays = GlFunction("glCreateVertexArrays");
-  PFNGLVERTEXARRAYVERTEXBUFFERPROC VertexArrayVertexBuffer =
-      GlFunction("glVertexArrayVertexBuffer");
-  PFNGLVERTEXARRAYELEMENTBUFFERPROC VertexArrayElementBuffer =
-      GlFunction("glVertexArrayElementBuffer");
-  PFNGLVERTEXARRAYATTRIBFORMATPROC VertexArrayAttribFormat =
-      GlFunction("glVertexArrayAttribFormat");
-  PFNGLVERTEXARRAYATTRIBBINDINGPROC VertexArrayAttribBinding =
-      GlFunction("glVertexArrayAttribBinding");
-  PFNGLENABLEVERTEXARRAYATTRIBPROC EnableVertexArrayAttrib =
-      GlFunction("glEnableVertexArrayAttrib");
-  PFNGLBINDVERTEXARRAYPROC BindVertexArray = GlFunction("glBindVertexArray");
-  PFNGLCREATETEXTURESPROC CreateTextures = GlFunction("glCreateTextures");
-  PFNGLTEXTURESTORAGE2DPROC TextureStorage2D = GlFunction("glTextureStorage2D");
-  PFNGLTEXTURESUBIMAGE2DPROC TextureSubImage2D = GlFunction("glTextureSubImage2D");
-  PFNGLGENERATETEXTUREMIPMAPPROC GenerateTextureMipmap = GlFunction("glGenerateTextureMipmap");
-  PFNGLTEXTUREPARAMETERIPROC TextureParameteri = GlFunction("glTextureParameteri");
-  PFNGLTEXTUREPARAMETERFPROC TextureParameterf = GlFunction("glTextureParameterf");
-  PFNGLTEXTUREPARAMETERFVPROC TextureParameterfv = GlFunction("glTextureParameterfv");
-  PFNGLBINDTEXTUREUNITPROC BindTextureUnit = GlFunction("glBindTextureUnit");
-  PFNGLCREATERENDERBUFFERSPROC CreateRenderbuffers = GlFunction("glCreateRenderbuffers");
-  PFNGLNAMEDRENDERBUFFERSTORAGEMULTISAMPLEPROC NamedRenderbufferStorageMultisample =
-      GlFunction("glNamedRenderbufferStorageMultisample");
-  PFNGLCREATEFRAMEBUFFERSPROC CreateFramebuffers = GlFunction("glCreateFramebuffers");
-  PFNGLNAMEDFRAMEBUFFERRENDERBUFFERPROC NamedFramebufferRenderbuffer =
-      GlFunction("glNamedFramebufferRenderbuffer");
-  PFNGLNAMEDFRAMEBUFFERTEXTUREPROC NamedFramebufferTexture =
-      GlFunction("glNamedFramebufferTexture");
-  PFNGLNAMEDFRAMEBUFFERDRAWBUFFERSPROC NamedFramebufferDrawBuffers =
-      GlFunction("glNamedFramebufferDrawBuffers");
-  PFNGLNAMEDFRAMEBUFFERREADBUFFERPROC NamedFramebufferReadBuffer =
-      GlFunction("glNamedFramebufferReadBuffer");
-  PFNGLCHECKNAMEDFRAMEBUFFERSTATUSPROC CheckNamedFramebufferStatus =
-      GlFunction("glCheckNamedFramebufferStatus");
-  PFNGLBINDFRAMEBUFFERPROC BindFramebuffer = GlFunction("glBindFramebuffer");
-  PFNGLCREATEQUERIESPROC CreateQueries = GlFunction("glCreateQueries");
+  CVO_GL(CREATEBUFFERS, CreateBuffers);
+  CVO_GL(NAMEDBUFFERSTORAGE, NamedBufferStorage);
+  CVO_GL(CREATEVERTEXARRAYS, CreateVertexArrays);
+  CVO_GL(VERTEXARRAYVERTEXBUFFER, VertexArrayVertexBuffer);
+  CVO_GL(VERTEXARRAYELEMENTBUFFER, VertexArrayElementBuffer);
+  CVO_GL(VERTEXARRAYATTRIBFORMAT, VertexArrayAttribFormat);
+  CVO_GL(VERTEXARRAYATTRIBBINDING, VertexArrayAttribBinding);
+  CVO_GL(ENABLEVERTEXARRAYATTRIB, EnableVertexArrayAttrib);
+  CVO_GL(BINDVERTEXARRAY, BindVertexArray);
+  CVO_GL(CREATETEXTURES, CreateTextures);
+  CVO_GL(TEXTURESTORAGE2D, TextureStorage2D);
+  CVO_GL(TEXTURESUBIMAGE2D, TextureSubImage2D);
+  CVO_GL(GENERATETEXTUREMIPMAP, GenerateTextureMipmap);
+  CVO_GL(TEXTUREPARAMETERI, TextureParameteri);
+  CVO_GL(TEXTUREPARAMETERF, TextureParameterf);
+  CVO_GL(TEXTUREPARAMETERFV, TextureParameterfv);
+  CVO_GL(BINDTEXTUREUNIT, BindTextureUnit);
+  CVO_GL(CREATERENDERBUFFERS, CreateRenderbuffers);
+  CVO_GL(NAMEDRENDERBUFFERSTORAGEMULTISAMPLE, NamedRenderbufferStorageMultisample);
+  CVO_GL(CREATEFRAMEBUFFERS, CreateFramebuffers);
+  CVO_GL(NAMEDFRAMEBUFFERRENDERBUFFER, NamedFramebufferRenderbuffer);
+  CVO_GL(NAMEDFRAMEBUFFERTEXTURE, NamedFramebufferTexture);
+  CVO_GL(NAMEDFRAMEBUFFERDRAWBUFFERS, NamedFramebufferDrawBuffers);
+  CVO_GL(NAMEDFRAMEBUFFERREADBUFFER, NamedFramebufferReadBuffer);
+  CVO_GL(CHECKNAMEDFRAMEBUFFERSTATUS, CheckNamedFramebufferStatus);
+  CVO_GL(BINDFRAMEBUFFER, BindFramebuffer);
+  CVO_GL(CREATEQUERIES, CreateQueries);
 
   // programs
-  PFNGLCREATESHADERPROC CreateShader = GlFunction("glCreateShader");
-  PFNGLSHADERSOURCEPROC ShaderSource = GlFunction("glShaderSource");
-  PFNGLCOMPILESHADERPROC CompileShader = GlFunction("glCompileShader");
-  PFNGLGETSHADERIVPROC GetShaderiv = GlFunction("glGetShaderiv");
-  PFNGLGETSHADERINFOLOGPROC GetShaderInfoLog = GlFunction("glGetShaderInfoLog");
-  PFNGLCREATEPROGRAMPROC CreateProgram = GlFunction("glCreateProgram");
-  PFNGLATTACHSHADERPROC AttachShader = GlFunction("glAttachShader");
-  PFNGLLINKPROGRAMPROC LinkProgram = GlFunction("glLinkProgram");
-  PFNGLGETPROGRAMIVPROC GetProgramiv = GlFunction("glGetProgramiv");
-  PFNGLGETPROGRAMINFOLOGPROC GetProgramInfoLog = GlFunction("glGetProgramInfoLog");
-  PFNGLUSEPROGRAMPROC UseProgram = GlFunction("glUseProgram");
-  PFNGLUNIFORM1FPROC Uniform1f = GlFunction("glUniform1f");
-  PFNGLUNIFORM1UIPROC Uniform1ui = GlFunction("glUniform1ui");
-  PFNGLUNIFORM3FVPROC Uniform3fv = GlFunction("glUniform3fv");
-  PFNGLUNIFORMMATRIX4FVPROC UniformMatrix4fv = GlFunction("glUniformMatrix4fv");
+  CVO_GL(CREATESHADER, CreateShader);
+  CVO_GL(SHADERSOURCE, ShaderSource);
+  CVO_GL(COMPILESHADER, CompileShader);
+  CVO_GL(GETSHADERIV, GetShaderiv);
+  CVO_GL(GETSHADERINFOLOG, GetShaderInfoLog);
+  CVO_GL(CREATEPROGRAM, CreateProgram);
+  CVO_GL(ATTACHSHADER, AttachShader);
+  CVO_GL(LINKPROGRAM, LinkProgram);
+  CVO_GL(GETPROGRAMIV, GetProgramiv);
+  CVO_GL(GETPROGRAMINFOLOG, GetProgramInfoLog);
+  CVO_GL(USEPROGRAM, UseProgram);
+  CVO_GL(UNIFORM1F, Uniform1f);
+  CVO_GL(UNIFORM1UI, Uniform1ui);
+  CVO_GL(UNIFORM3FV, Uniform3fv);
+  CVO_GL(UNIFORMMATRIX4FV, UniformMatrix4fv);
 
   // state
-  PFNGLGETSTRINGPROC GetString = GlFunction("glGetString");
-  PFNGLGETERRORPROC GetError = GlFunction("glGetError");
-  PFNGLGETINTEGERVPROC GetIntegerv = GlFunction("glGetIntegerv");
-  PFNGLENABLEPROC Enable = GlFunction("glEnable");
-  PFNGLDISABLEPROC Disable = GlFunction("glDisable");
-  PFNGLVIEWPORTPROC Viewport = GlFunction("glViewport");
-  PFNGLDEPTHFUNCPROC DepthFunc = GlFunction("glDepthFunc");
-  PFNGLCLIPCONTROLPROC ClipControl = GlFunction("glClipControl");
-  PFNGLCULLFACEPROC CullFace = GlFunction("glCullFace");
-  PFNGLSTENCILFUNCPROC StencilFunc = GlFunction("glStencilFunc");
-  PFNGLSTENCILOPPROC StencilOp = GlFunction("glStencilOp");
-  PFNGLPIXELSTOREIPROC PixelStorei = GlFunction("glPixelStorei");
+  CVO_GL(GETSTRING, GetString);
+  CVO_GL(GETERROR, GetError);
+  CVO_GL(GETINTEGERV, GetIntegerv);
+  CVO_GL(ENABLE, Enable);
+  CVO_GL(DISABLE, Disable);
+  CVO_GL(VIEWPORT, Viewport);
+  CVO_GL(DEPTHFUNC, DepthFunc);
+  CVO_GL(CLIPCONTROL, ClipControl);
+  CVO_GL(CULLFACE, CullFace);
+  CVO_GL(STENCILFUNC, StencilFunc);
+  CVO_GL(STENCILOP, StencilOp);
+  CVO_GL(PIXELSTOREI, PixelStorei);
 
   // work
-  PFNGLCLEARNAMEDFRAMEBUFFERFVPROC ClearNamedFramebufferfv =
-      GlFunction("glClearNamedFramebufferfv");
-  PFNGLCLEARNAMEDFRAMEBUFFERIVPROC ClearNamedFramebufferiv =
-      GlFunction("glClearNamedFramebufferiv");
-  PFNGLCLEARNAMEDFRAMEBUFFERUIVPROC ClearNamedFramebufferuiv =
-      GlFunction("glClearNamedFramebufferuiv");
-  PFNGLDRAWELEMENTSPROC DrawElements = GlFunction("glDrawElements");
-  PFNGLDRAWARRAYSPROC DrawArrays = GlFunction("glDrawArrays");
-  PFNGLBEGINQUERYPROC BeginQuery = GlFunction("glBeginQuery");
-  PFNGLENDQUERYPROC EndQuery = GlFunction("glEndQuery");
-  PFNGLGETQUERYOBJECTUIVPROC GetQueryObjectuiv = GlFunction("glGetQueryObjectuiv");
-  PFNGLBLITNAMEDFRAMEBUFFERPROC BlitNamedFramebuffer = GlFunction("glBlitNamedFramebuffer");
-  PFNGLREADPIXELSPROC ReadPixels = GlFunction("glReadPixels");
+  CVO_GL(CLEARNAMEDFRAMEBUFFERFV, ClearNamedFramebufferfv);
+  CVO_GL(CLEARNAMEDFRAMEBUFFERIV, ClearNamedFramebufferiv);
+  CVO_GL(CLEARNAMEDFRAMEBUFFERUIV, ClearNamedFramebufferuiv);
+  CVO_GL(DRAWELEMENTS, DrawElements);
+  CVO_GL(DRAWARRAYS, DrawArrays);
+  CVO_GL(BEGINQUERY, BeginQuery);
+  CVO_GL(ENDQUERY, EndQuery);
+  CVO_GL(GETQUERYOBJECTUIV, GetQueryObjectuiv);
+  CVO_GL(BLITNAMEDFRAMEBUFFER, BlitNamedFramebuffer);
+  CVO_GL(READPIXELS, ReadPixels);
 };
+
+#undef CVO_GL
 
 // Throws Error if an OpenGL call has failed since the last check. `where` names the operation.
 void CheckGl(const Gl& gl, const char* where);
