@@ -33,6 +33,7 @@ struct Command {
 };
 
 Command AddRunCommand(CLI::App& program);
+Command AddCrfCommand(CLI::App& program);
 Command AddDetectCommand(CLI::App& program);
 Command AddEvalCommand(CLI::App& program);
 Command AddSynthCommand(CLI::App& program);

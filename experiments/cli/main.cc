@@ -240,9 +240,10 @@ int Main(int argc, char** argv) {
       "interrupted.");
   const Command chosen = Group(
       program, {AddRunCommand(program), AddDetectCommand(program), AddEvalCommand(program),
-                AddInfoCommand(program), AddListCommand(program), AddSynthCommand(program),
-                AddExperimentCommand(program), AddCheckCommand(program), AddOverlayCommand(program),
-                AddReportCommand(program), AddPlotCommand(program), AddExplainCommand(program)});
+                AddInfoCommand(program), AddCrfCommand(program), AddListCommand(program),
+                AddSynthCommand(program), AddExperimentCommand(program), AddCheckCommand(program),
+                AddOverlayCommand(program), AddReportCommand(program), AddPlotCommand(program),
+                AddExplainCommand(program)});
   try {
     CheckNames(argc, argv, program);
     program.parse(argc, argv);

@@ -249,14 +249,6 @@ std::string DefaultOutput(const Flags& flags) {
   return StrCat("results/", name, flags.variant == "full" ? "" : "_" + flags.variant);
 }
 
-// A rendered scene has boxes of its own.
-SequenceRequest WithBoxes(SequenceRequest request, const Flags& flags) {
-  const std::vector<std::string> levels = DetectorLevels(request.folder);
-  const bool has = std::find(levels.begin(), levels.end(), "good") != levels.end();
-  if (has && flags.sequence.detections_file.empty()) request.detections_file = "good";
-  return request;
-}
-
 // The path as a word of a command line.
 std::string ShellWord(const std::string& path) {
   const bool plain = std::all_of(path.begin(), path.end(), [](unsigned char c) {
@@ -279,7 +271,7 @@ int Run(Flags flags) {
       flags.classes.empty() ? RigidClasses() : ParseClasses(flags.classes);
   CheckNotBelow(InputsOf(flags.sequence.stereo), flags.output);
   CheckPlaceOfRun(flags.output);
-  const Sequence sequence = OpenSequence(WithBoxes(flags.sequence.Request(flags.quiet), flags));
+  const Sequence sequence = OpenSequence(WithBoxes(flags.sequence.Request(flags.quiet)));
   CheckClasses(classes, sequence.detections);
   std::vector<std::filesystem::path> read = FoldersOf(sequence);
   read.emplace_back(flags.config);

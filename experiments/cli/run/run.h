@@ -44,6 +44,9 @@ void CheckStereo(const StereoImport& stereo);
 // The detector levels of a rendered scene, one of which --detections may name.
 std::vector<std::string> DetectorLevels(const std::filesystem::path& folder);
 
+// The request with the boxes of a rendered scene's detector `good`, unless it names others.
+SequenceRequest WithBoxes(SequenceRequest request);
+
 // The files and folders of an import. Some paths may be empty.
 std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo);
 

@@ -120,6 +120,13 @@ std::vector<std::string> DetectorLevels(const fs::path& folder) {
   return levels;
 }
 
+SequenceRequest WithBoxes(SequenceRequest request) {
+  const std::vector<std::string> levels = DetectorLevels(request.folder);
+  const bool has = std::find(levels.begin(), levels.end(), "good") != levels.end();
+  if (has && request.detections_file.empty()) request.detections_file = "good";
+  return request;
+}
+
 void CheckStereo(const StereoImport& stereo) {
   if (stereo.left.empty()) throw UsageError("--left is missing");
   if (stereo.right.empty()) throw UsageError("--right is missing");

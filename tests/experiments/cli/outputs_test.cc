@@ -121,6 +121,7 @@ class CliOutputs : public testing::Test {
         {"eval", "trajectory", "--sequence", Path("data/wall"), "--estimate",
          Path("run/camera.tum"), "-o", out},
         {"overlay", Path("run"), "-o", out},
+        {"crf", Path("data/wall"), "--figure", "0", "-o", out + "/terms.png"},
         {"detect", Path("data/wall"), "--model", Path("tiny.cfg"), "--names", Path("two.names"),
          "-o", out + "/boxes.txt"},
         {"info", "--left", Path("data/wall/image_0"), "--right", Path("data/wall/image_1"),
@@ -229,13 +230,15 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
       {"report", suite, "-o", Path("page")},
       {"plot", suite, "-o", Path("figures")},
       {"plot", run, "-o", Path("plot.svg")},
-      {"explain", Path("scene_run")}};
+      {"explain", Path("scene_run")},
+      {"crf", Path("scene"), "-q"}};
   const ProcessResult rendered =
       Run({"synth", "render", "tiny", "-o", Path("scene"), "-q", "--frames", "0:2"});
   const bool draws = rendered.exit_code == 0;
   if (draws) Run({"run", Path("scene"), "-o", Path("scene_run"), "-q", "--landmarks"});
   for (const Arguments& arguments : commands) {
-    if (!draws && (arguments[0] == "explain" || arguments[0] == "synth")) continue;
+    const bool needs_scene = IsIn({{"explain"}, {"synth"}, {"crf"}}, {arguments[0]});
+    if (!draws && needs_scene) continue;
     std::string line;
     for (const std::string& argument : arguments) line += argument + " ";
     const bool closed = arguments.back() == "--json" || arguments.back() == "-q";
@@ -249,7 +252,7 @@ TEST_F(CliOutputs, FailedOutputIsAnError) {
   for (const Arguments& command : AllCommands()) {
     EXPECT_TRUE(IsIn(commands, command)) << command.front() << " " << command.back();
   }
-  EXPECT_EQ(AllCommands().size(), 16U);
+  EXPECT_EQ(AllCommands().size(), 17U);
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-// `clustervo check` and `report` on hand-made results, and `explain` on three rendered frames.
+// `clustervo check` and `report` on hand-made results; `explain` and `crf` on three rendered
+// frames.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
+#include <sstream>
 
 #include "tests/experiments/cli/process.h"
 #include "tests/reports/gate/gate_folder.h"
@@ -17,6 +20,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 using testing::StartsWith;
 
 class CliCheckTest : public testing::Test {
@@ -174,6 +178,46 @@ TEST_F(CliExplain, FindsBoxesOutsideTheSequence) {
   EXPECT_THAT(RunProgram({"explain", Path("given"), "chair_1"}).err,
               HasSubstr("the run's detection file was not found"));
   fs::rename(Path("away"), Path("scene") + "/detections");
+}
+
+// The run's own labels are a row of the table: they must have the metrics of the run.
+TEST_F(CliExplain, CrfScoresLabelsAsRunsDo) {
+  const ProcessResult tried = RunProgram({"crf", Path("scene"), "--detections", "oracle", "-q",
+                                          "--figure", "2", "-o", Path("terms.png")});
+  ASSERT_EQ(tried.exit_code, 0) << tried.err;
+  std::map<std::string, std::vector<double>> rows;
+  std::istringstream lines(tried.out);
+  std::string line;
+  std::getline(lines, line);
+  const std::size_t first = line.find("moving precision");
+  while (std::getline(lines, line) && line.size() > first) {
+    std::istringstream cells(line.substr(first));
+    std::vector<double>& row = rows[line.substr(0, line.find("  "))];
+    for (double value = 0.0; cells >> value;) row.push_back(value);
+  }
+  const Json result = ReadJson(Path("run") + "/result.json");
+  std::vector<double> of_run;
+  for (const char* name : {"moving_precision", "moving_recall", "clustering_iou"}) {
+    for (const Json& metric : result["metrics"]) {
+      if (metric["name"] == name) of_run.push_back(metric["value"]);
+    }
+  }
+  ASSERT_THAT(of_run, SizeIs(3));
+  EXPECT_THAT(rows["run"], testing::Pointwise(testing::DoubleNear(1e-3), of_run)) << tried.out;
+  ASSERT_THAT(rows["2D+3D+motion"], SizeIs(3)) << tried.out;
+  EXPECT_GT(rows["2D+3D+motion"][2], 0.5) << tried.out;
+  ASSERT_THAT(rows["all, printed kernel"], SizeIs(3)) << tried.out;
+  EXPECT_LT(rows["all, printed kernel"][2], rows["2D+3D+motion"][2]) << tried.out;
+  EXPECT_THAT(ReadFile(Path("terms.png")), StartsWith("\x89PNG"));
+}
+
+TEST_F(CliExplain, CrfNeedsTheBodiesOfPixels) {
+  ExpectError(RunProgram({"crf", Path("scene"), "--figure", "1"}), "--figure and -o", 2);
+  ExpectError(RunProgram({"crf", Path("scene"), "-q", "--figure", "9", "-o", Path("x.png")}),
+              "found no frame 9", 1);
+  WriteTinySequence(Path("wall"), 2);
+  ExpectError(RunProgram({"crf", Path("wall"), "-q"}),
+              "wall: found no ground truth of the bodies at pixels, expected a rendered scene", 1);
 }
 
 TEST_F(CliExplain, BadInputGivesOneLine) {
