@@ -207,7 +207,7 @@ Command AddCrfCommand(CLI::App& program) {
   const auto flags = std::make_shared<Flags>();
   const FlagAdder add{*app};
   add("SEQUENCE", flags->folders, "", "folders of rendered scenes")->required();
-  flags->sequence.AddTruthTo(*app);
+  add("--frames", flags->sequence.frames, "A:B", "frames A to B-1, counted from 0; default: all");
   add("--detections", flags->sequence.detections_file, "LEVEL", "detector level; default: good");
   add("--variant", flags->variant, "NAME", "variant that runs, with its options")
       ->capture_default_str();
