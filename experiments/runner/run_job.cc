@@ -104,7 +104,7 @@ void GiveFrame(const StereoFrame& given, const std::vector<LandmarkTruth>& featu
                const FrameSink& sink, FrameRecord& record) {
   if (sink) sink({given, feature_truth, record});
   record.landmarks = CountLandmarks(record.report.landmarks, feature_truth);
-  record.report.landmarks = {};
+  record.report.landmarks = std::vector<LandmarkReport>();  // `= {}` would keep its memory
   record.report.crf = {};
 }
 
