@@ -19,7 +19,13 @@ struct OrbOptions {
   int fast_threshold_min = 7;  // the same in cells without a corner above fast_threshold
 
   // Throws Error naming an invalid field.
-  void Check() const;
+  void Check() const {
+    CheckRanges(*this);
+    if (fast_threshold_min > fast_threshold) {
+      ThrowError("option fast_threshold_min", StrCat(fast_threshold_min),
+                 StrCat("at most fast_threshold (", fast_threshold, ")"));
+    }
+  }
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -64,7 +70,7 @@ struct StereoMatchOptions {
   double max_sigma_medians = 2.1;      // maximum sigma of a disparity, in medians of all
 
   // Throws Error naming an invalid field.
-  void Check() const;
+  void Check() const { CheckRanges(*this); }
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {

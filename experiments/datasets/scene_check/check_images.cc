@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <optional>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 #include "experiments/datasets/images.h"
 #include "experiments/datasets/scene_check/checks.h"
 
@@ -13,12 +16,11 @@ namespace cvo {
 
 namespace {
 
-// A slip of half a pixel in the pixel-centre convention shows as
-// 0.5 px, an error of one per cent of depth as 0.2 px at 20 px of disparity; interpolation and
-// noise stay below 0.02 px.
+// A slip in the pixel-centre convention shows as 0.5 px, one per cent of depth as 0.2 px at 20 px
+// of disparity; interpolation and noise stay below 0.02 px.
 constexpr double kShift_px = 0.05;
 // Fewer pixels cannot distinguish such a shift from noise.
-constexpr int kMinShiftPixels = 2000;
+constexpr std::size_t kMinShiftPixels = 2000;
 // Reads an 8-bit image as grey. Throws Error if it cannot be decoded.
 cv::Mat ReadGrey(const std::filesystem::path& path) {
   LoadedImage image = LoadGrey(path);
@@ -56,28 +58,55 @@ bool IsSmooth(const StereoCamera& camera, const Surface& surface, int u, int v) 
   return true;
 }
 
-// Predicts the positions in the right image of pixels of the left one, taking every `step`-th pixel
-// of every `step`-th row. Leaves out pixels at depth edges; those that the right camera cannot see
-// differ in grey level and drop out of the estimate.
-std::vector<PixelPrediction> PredictRight(const StereoCamera& camera, const Surface& surface,
-                                          int step) {
-  std::vector<PixelPrediction> predictions;
-  for (int v = 1; v < surface.depth.rows; v += step) {
-    for (int u = 1; u < surface.depth.cols; u += step) {
-      if (!(surface.depth.at<float>(v, u) > 0.0F) || !IsSmooth(camera, surface, u, v)) continue;
-      predictions.push_back(
-          {u, v, u - DisparityAt(camera, surface.depth, u, v), static_cast<double>(v)});
-    }
-  }
-  return predictions;
-}
-
-ImageShift CompareSides(const SceneFolder& scene, int frame) {
-  constexpr int kStep = 2;
+// By how much the right image is off where depth puts it; empty if too few pixels can tell.
+// Compares the left image with what its camera would see with the pixels of the right one: one step
+// of Gauss-Newton for the shift, a gain and an offset. Leaves out pixels at depth edges and, as the
+// right camera may not see them, those that differ by more than three deviations.
+std::optional<cv::Point2d> CompareSides(const SceneFolder& scene, int frame) {
+  constexpr double kThreeDeviations = 3.0 * 1.4826, kLeastCut_grey = 3.0;
+  const StereoCamera& camera = scene.sequence.camera;
   const StereoPaths& paths = scene.sequence.images[static_cast<std::size_t>(frame)];
   const Surface surface = {scene.Depth(frame), scene.Instances(frame)};
-  return EstimateShift(ReadGrey(paths.left), ReadGrey(paths.right),
-                       PredictRight(scene.sequence.camera, surface, kStep));
+  cv::Mat left, right, du, dv;
+  ReadGrey(paths.left).convertTo(left, CV_32F);
+  ReadGrey(paths.right).convertTo(right, CV_32F);
+  cv::Mat places(left.size(), CV_32FC2);
+  for (int v = 0; v < left.rows; ++v) {
+    for (int u = 0; u < left.cols; ++u) {
+      const double u_right = u - DisparityAt(camera, surface.depth, u, v);
+      places.at<cv::Vec2f>(v, u) = {static_cast<float>(u_right), static_cast<float>(v)};
+    }
+  }
+  cv::remap(right, right, places, {}, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
+  // The mean gradient of both: the noise in the gradient of only one would bias the shift.
+  constexpr double kPerPixel = 1.0 / 16.0;
+  cv::Sobel(left + right, du, CV_32F, 1, 0, 3, kPerPixel);
+  cv::Sobel(left + right, dv, CV_32F, 0, 1, 3, kPerPixel);
+  std::vector<cv::Vec4f> gradients;
+  std::vector<float> differences;
+  std::vector<double> sizes;
+  for (int v = 1; v < left.rows; ++v) {
+    for (int u = 1; u < left.cols; ++u) {
+      if (!IsSmooth(camera, surface, u, v) || places.at<cv::Vec2f>(v, u)[0] < 1.0F) continue;
+      const float grey = left.at<float>(v, u);
+      gradients.emplace_back(-du.at<float>(v, u), -dv.at<float>(v, u), grey, 1.0F);
+      differences.push_back(right.at<float>(v, u) - grey);
+      sizes.push_back(std::abs(differences.back()));
+    }
+  }
+  if (sizes.size() < kMinShiftPixels) return std::nullopt;
+  const double cut = std::max(kLeastCut_grey, kThreeDeviations * Median(sizes));
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (sizes[i] > cut) continue;
+    gradients[count] = gradients[i];
+    differences[count++] = differences[i];
+  }
+  const int rows = static_cast<int>(count);
+  cv::Vec4f x;
+  cv::solve(cv::Mat(gradients).rowRange(0, rows).reshape(1), cv::Mat(differences).rowRange(0, rows),
+            x, cv::DECOMP_NORMAL);
+  return cv::Point2d(x[0], x[1]);
 }
 
 }  // namespace
@@ -89,15 +118,15 @@ Eigen::Vector3d PointAt(const StereoCamera& camera, const cv::Mat& depth, int u,
 
 std::vector<SceneCheck> CheckStereo(const SceneFolder& scene, TaskPool& pool) {
   const std::vector<int>& frames = scene.image_frames;
-  const std::vector<ImageShift> shifts = ForAll<ImageShift>(
+  const auto shifts = ForAll<std::optional<cv::Point2d>>(
       static_cast<int>(frames.size()), pool,
       [&](int i) { return CompareSides(scene, frames[static_cast<std::size_t>(i)]); });
   Worst across, down;
   for (std::size_t i = 0; i < shifts.size(); ++i) {
-    if (shifts[i].pixels < kMinShiftPixels) continue;
+    if (!shifts[i]) continue;
     const std::string place = StrCat("frame ", frames[i]);
-    across.Add(std::abs(shifts[i].shift_px.x()), place);
-    down.Add(std::abs(shifts[i].shift_px.y()), place);
+    across.Add(std::abs(shifts[i]->x), place);
+    down.Add(std::abs(shifts[i]->y), place);
   }
   if (across.where.empty()) across.Add(std::nan(""), "all frames: too few pixels to compare");
   return {across.AtMost("disparity_offset", "px", kShift_px),

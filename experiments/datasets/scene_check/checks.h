@@ -53,31 +53,8 @@ std::vector<Result> ForAll(int count, TaskPool& pool, const Work& work) {
   return results;
 }
 
-// Returns the upper median; 0 for no values.
-float MedianOf(std::vector<float> values);
-
 // Returns the point at a pixel, in the left camera. The pixel's depth must be positive.
 Eigen::Vector3d PointAt(const StereoCamera& camera, const cv::Mat& depth, int u, int v);
-
-// A pixel of one image and the predicted position of its point in another image.
-struct PixelPrediction {
-  int u = 0;
-  int v = 0;
-  double target_u = 0.0;
-  double target_v = 0.0;
-};
-
-// The common offset of all predictions: target(predicted + shift) = gain source + offset.
-struct ImageShift {
-  Eigen::Vector2d shift_px = Eigen::Vector2d::Zero();
-  int pixels = 0;  // number of pixels compared
-};
-
-// Estimates the shift by Gauss-Newton on the intensities of CV_8UC1 images. Leaves out residuals
-// beyond three sigmas (or three grey levels, if that is more) and predictions nearer than three
-// pixels to the border of either image.
-ImageShift EstimateShift(const cv::Mat& source, const cv::Mat& target,
-                         const std::vector<PixelPrediction>& predictions);
 
 // The groups. Each throws Error for a file that it cannot read.
 
