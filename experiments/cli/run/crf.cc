@@ -209,10 +209,7 @@ Command AddCrfCommand(CLI::App& program) {
   add("SEQUENCE", flags->folders, "", "folders of rendered scenes")->required();
   add("--frames", flags->sequence.frames, "A:B", "frames A to B-1, counted from 0; default: all");
   add("--detections", flags->sequence.detections_file, "LEVEL", "detector level; default: good");
-  add("--variant", flags->variant, "NAME", "variant that runs, with its options")
-      ->capture_default_str();
-  add("--set", flags->set, "PATH=VALUE", "set an option of the run and the CRF; can be repeated")
-      ->allow_extra_args(false);
+  AddEstimator(*app, flags->variant, flags->set);
   add("--figure", flags->figure, "N",
       "draw the labels by 2D, 2D+3D and 2D+3D+motion in frame N side by side, as the paper does")
       ->check(CLI::NonNegativeNumber.description(""));

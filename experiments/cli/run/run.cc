@@ -64,6 +64,17 @@ std::string SuccessAt10cm(const BodyScore& body) {
 
 }  // namespace
 
+void AddEstimator(CLI::App& app, std::string& variant, std::vector<std::string>& set) {
+  std::vector<std::string> names;
+  for (const VariantInfo& known : Variants()) names.emplace_back(known.name);
+  const FlagAdder add{app};
+  add("--variant", variant, "NAME", "estimator variant (see clustervo list variants)")
+      ->check(OneOf(std::move(names)))
+      ->capture_default_str();
+  add("--set", set, "PATH=VALUE", "set one option (see clustervo list options); can be repeated")
+      ->allow_extra_args(false);
+}
+
 void PrintBodies(const std::vector<BodyScore>& bodies, const std::vector<Metric>& metrics,
                  std::ostream& out) {
   double least_travel_m = 0.0;
@@ -133,12 +144,6 @@ void PrintScores(const RunScores& scores, bool all, std::ostream& out) {
 }
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> VariantNames() {
-  std::vector<std::string> names;
-  for (const VariantInfo& variant : Variants()) names.emplace_back(variant.name);
-  return names;
-}
 
 // Throws UsageError if the folder contains the result of a run other than the requested one,
 // whichever build made it, or a landmarks.csv that the request does not ask for, because the new
@@ -326,12 +331,7 @@ Command AddRunCommand(CLI::App& program) {
   const FlagAdder add{*app};
   add("-o,--output", flags->output, "FOLDER",
       "output folder for the results; default: results/SEQUENCE, or results/SEQUENCE_VARIANT");
-  add("--variant", flags->variant, "NAME", "estimator variant (see clustervo list variants)")
-      ->check(OneOf(VariantNames()))
-      ->capture_default_str();
-  add("--set", flags->set, "PATH=VALUE",
-      "set one option (see clustervo list options); can be repeated")
-      ->allow_extra_args(false);
+  AddEstimator(*app, flags->variant, flags->set);
   add("--config", flags->config, "FILE",
       "JSON file with options as nested objects; --set takes precedence");
   AddThreads(*app, flags->threads);

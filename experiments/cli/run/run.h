@@ -50,6 +50,9 @@ SequenceRequest WithBoxes(SequenceRequest request);
 // The files and folders of an import. Some paths may be empty.
 std::vector<std::filesystem::path> InputsOf(const StereoImport& stereo);
 
+// Adds --variant and --set.
+void AddEstimator(CLI::App& app, std::string& variant, std::vector<std::string>& set);
+
 // Prints a line per body that is visible in some frame. `metrics`: those of these bodies.
 void PrintBodies(const std::vector<BodyScore>& bodies, const std::vector<Metric>& metrics,
                  std::ostream& out);

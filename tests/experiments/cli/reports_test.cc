@@ -213,6 +213,7 @@ TEST_F(CliExplain, CrfScoresLabelsAsRunsDo) {
 
 TEST_F(CliExplain, CrfNeedsTheBodiesOfPixels) {
   ExpectError(RunProgram({"crf", Path("scene"), "--figure", "1"}), "--figure and -o", 2);
+  ExpectError(RunProgram({"crf", Path("scene"), "--variant", "none"}), "--variant: ", 2);
   ExpectError(RunProgram({"crf", Path("scene"), "-q", "--figure", "9", "-o", Path("x.png")}),
               "found no frame 9", 1);
   WriteTinySequence(Path("wall"), 2);
