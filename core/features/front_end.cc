@@ -14,13 +14,18 @@
 namespace cvo {
 namespace {
 
+std::string Describe(const cv::Mat& image) {
+  if (image.empty()) return "no pixels";
+  return StrCat(image.cols, " x ", image.rows, " ", cv::typeToString(image.type()));
+}
+
 void CheckImage(const char* name, const cv::Mat& image, const StereoCamera& camera) {
-  const auto describe = [](int width_px, int height_px, int type) {
-    return StrCat(width_px, " x ", height_px, " ", cv::typeToString(type));
-  };
-  const std::string found = describe(image.cols, image.rows, image.type());
-  const std::string expected = describe(camera.width_px, camera.height_px, CV_8UC1);
-  if (found != expected) ThrowError(StrCat("stereo pair: ", name, " image"), found, expected);
+  if (image.type() == CV_8UC1 && image.cols == camera.width_px && image.rows == camera.height_px &&
+      !image.empty()) {
+    return;
+  }
+  ThrowError(StrCat("stereo pair: ", name, " image"), Describe(image),
+             StrCat(camera.width_px, " x ", camera.height_px, " CV_8UC1, as the camera has it"));
 }
 
 }  // namespace
