@@ -17,12 +17,29 @@ void CheckGiven(const StereoFrame& frame) {
 }
 
 const char* ToString(FrameStatus status) {
-  constexpr const char* kNames[] = {"first", "tracked", "recovered", "lost", "skipped"};
-  return kNames[static_cast<int>(status)];
+  switch (status) {
+    case FrameStatus::kFirst:
+      return "first";
+    case FrameStatus::kTracked:
+      return "tracked";
+    case FrameStatus::kRecovered:
+      return "recovered";
+    case FrameStatus::kLost:
+      return "lost";
+    case FrameStatus::kSkipped:
+      return "skipped";
+  }
+  throw Error("ToString(FrameStatus): not a status");
 }
 
 const char* ToString(ClusterStatus status) {
-  return status == ClusterStatus::kTracked ? "tracked" : "predicted";
+  switch (status) {
+    case ClusterStatus::kTracked:
+      return "tracked";
+    case ClusterStatus::kPredicted:
+      return "predicted";
+  }
+  throw Error("ToString(ClusterStatus): not a status");
 }
 
 Matrix6d CalibrationReport::Covariance_px2() const { return information.inverse(); }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/lists.h"
@@ -73,15 +74,17 @@ std::optional<cv::Point2d> CompareSides(const SceneFolder& scene, int frame) {
   cv::Mat places(left.size(), CV_32FC2);
   for (int v = 0; v < left.rows; ++v) {
     for (int u = 0; u < left.cols; ++u) {
-      const double u_right = u - DisparityAt(camera, surface.depth, u, v);
+      const bool is_seen = surface.depth.at<float>(v, u) > 0.0F;
+      const double u_right = is_seen ? u - DisparityAt(camera, surface.depth, u, v) : u;
       places.at<cv::Vec2f>(v, u) = {static_cast<float>(u_right), static_cast<float>(v)};
     }
   }
   cv::remap(right, right, places, {}, cv::INTER_CUBIC, cv::BORDER_REPLICATE);
   // The mean gradient of both: the noise in the gradient of only one would bias the shift.
   constexpr double kPerPixel = 1.0 / 16.0;
-  cv::Sobel(left + right, du, CV_32F, 1, 0, 3, kPerPixel);
-  cv::Sobel(left + right, dv, CV_32F, 0, 1, 3, kPerPixel);
+  const cv::Mat both = left + right;
+  cv::Sobel(both, du, CV_32F, 1, 0, 3, kPerPixel);
+  cv::Sobel(both, dv, CV_32F, 0, 1, 3, kPerPixel);
   std::vector<cv::Vec4f> gradients;
   std::vector<float> differences;
   std::vector<double> sizes;
@@ -95,10 +98,10 @@ std::optional<cv::Point2d> CompareSides(const SceneFolder& scene, int frame) {
     }
   }
   if (sizes.size() < kMinShiftPixels) return std::nullopt;
-  const double cut = std::max(kLeastCut_grey, kThreeDeviations * Median(sizes));
+  const double cut = std::max(kLeastCut_grey, kThreeDeviations * Median(std::move(sizes)));
   std::size_t count = 0;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (sizes[i] > cut) continue;
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    if (std::abs(differences[i]) > cut) continue;
     gradients[count] = gradients[i];
     differences[count++] = differences[i];
   }
