@@ -47,9 +47,12 @@ inline constexpr Rung kLadder[] = {
      }},
     {"reserve", "bodies get additional corners",
      [](Options& options, const Options& ours) { options.orb.reserve = ours.orb.reserve; }},
-    {"confirmation", "a cluster is reported from its second detection on",
+    {"confirmation",
+     "a cluster is reported from its second detection on, and archived if neither boxes nor motion "
+     "show it any more",
      [](Options& options, const Options& ours) {
        options.clusters.confirm_detections = ours.clusters.confirm_detections;
+       options.clusters.undetected_frames = ours.clusters.undetected_frames;
      }},
     {"aligned_patches", "matched corners are aligned with the first patch of their landmark",
      [](Options& options, const Options& ours) {

@@ -39,6 +39,7 @@ struct Paper {
     options.unary.undetected_reach = 0.0;
     options.clusters.box_half_size = 0.0;
     options.clusters.confirm_detections = 1;
+    options.clusters.undetected_frames = 0;
     options.orb.reserve = 0.0;
     options.stereo.max_row_correction_px = 0.0;
     options.noise.right_mean_px = 0.0;

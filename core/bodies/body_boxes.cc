@@ -50,7 +50,7 @@ double ScoreOf(const Options& options, const FrameView* view, FrameId newest,
   const double by_landmarks =
       (residuals.seen + 1.0) / (residuals.seen + 1.0 + options.clusters.min_landmarks);
   const double by_residuals = 1.0 / (1.0 + residuals.squared / options.noise.gate);
-  return by_detector * std::pow(options.clusters.score_decay, undetected) * by_age * by_landmarks *
+  return by_detector * std::pow(ClusterOptions::kScoreDecay, undetected) * by_age * by_landmarks *
          by_residuals;
 }
 

@@ -54,7 +54,8 @@ struct UnaryOptions {
   double outlier_energy = 4.0;
   int past_frames = 5;
   double motion_cap = 25.0;
-  double max_energy = 15.0;
+  // Of one term, nats, so that no term overrules the others (METHOD.md 5.2).
+  static constexpr double kMaxEnergy = 15.0;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -89,10 +90,6 @@ struct UnaryOptions {
         "motion_cap", self.motion_cap,
         {"1", 0.1, 1e6, "maximum squared whitened error; larger gives more weight to single errors",
          "METHOD.md 5.5"});
-    visit.Field(
-        "max_energy", self.max_energy,
-        {"nats", 1.0, 1000.0, "maximum energy of one term, so that no term overrules the others",
-         "METHOD.md 5.2"});
   }
 };
 

@@ -30,7 +30,7 @@ EnergyMatrix TermEnergies(const CrfScene& scene, const UnaryOptions& options) {
   EnergyMatrix energies(static_cast<Eigen::Index>(scene.nodes.size()),
                         static_cast<Eigen::Index>(scene.labels.size()));
   Term::Energies(scene, options, energies);
-  NormalizeEnergies(options.max_energy, energies);
+  NormalizeEnergies(options.kMaxEnergy, energies);
   return energies;
 }
 

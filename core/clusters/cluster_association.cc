@@ -45,9 +45,25 @@ namespace {
 // checks it).
 constexpr int kSettledStates = 3;
 
+// Frames without any of its landmarks after which four matches may be of something else.
+constexpr int kSurelyThere = 2;
+
+// Whether the pose shows the cluster: after a gap, a few matches must agree with the prediction
+// (METHOD.md 4.4).
+bool IsFound(const FrameView& view, FrameId newest, const Cluster& cluster,
+             const PredictedCluster& predicted, const CameraSolution& solution) {
+  FrameId seen;
+  for (const Landmark& landmark : cluster.landmarks) seen = std::max(seen, landmark.last_seen);
+  return newest.value - seen.value <= kSurelyThere ||
+         solution.inliers >= view.options.association.min_rematch ||
+         AgreesWithPrediction(predicted,
+                              view.world_from_camera * solution.world_from_camera.Inverse(),
+                              view.options.noise.gate);
+}
+
 // Splits the matches by cluster, drops those that contradict given labels, estimates each
 // provisional pose, keeps its inliers and marks their features as taken.
-void TrackClusters(const FrameView& view, const ClusterMap& map,
+void TrackClusters(const FrameView& view, FrameId newest, const ClusterMap& map,
                    const std::vector<PredictedLandmark>& landmarks,
                    const std::vector<Match>& matches, Rng& rng, TakenFeatures& taken,
                    std::vector<ClusterTrack>& tracks) {
@@ -61,7 +77,9 @@ void TrackClusters(const FrameView& view, const ClusterMap& map,
     const bool is_settled = static_cast<int>(map.live[q].states.size()) >= kSettledStates;
     const auto solution = SolvePose(view, map.live[q], tracks[q].world_from_object, by_cluster[q],
                                     view.options.clusters.min_tracked, is_settled, rng);
-    if (solution) AcceptPose(view, by_cluster[q], *solution, taken, tracks[q]);
+    if (solution && IsFound(view, newest, map.live[q], tracks[q].predicted, *solution)) {
+      AcceptPose(view, by_cluster[q], *solution, taken, tracks[q]);
+    }
   }
 }
 
@@ -199,7 +217,8 @@ void NoBoxRematch::Rematch(const FrameView&, const ClusterMap&, Rng&, TakenFeatu
   }
 }
 
-std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const AssociationSteps& steps,
+std::vector<ClusterTrack> AssociateClusters(const FrameView& view, FrameId newest,
+                                            const AssociationSteps& steps,
                                             const ClusterPredictor& predict, const ClusterMap& map,
                                             Rng& rng, TakenFeatures& taken) {
   std::vector<ClusterTrack> tracks(map.live.size());
@@ -209,8 +228,8 @@ std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const Associa
     tracks[q].world_from_object = tracks[q].predicted.world_from_object;
     PredictLandmarksOf(view, map.live[q], static_cast<int>(q), tracks[q].predicted, landmarks);
   }
-  TrackClusters(view, map, landmarks, FindLandmarks(view, *steps.find, landmarks, taken), rng,
-                taken, tracks);
+  TrackClusters(view, newest, map, landmarks, FindLandmarks(view, *steps.find, landmarks, taken),
+                rng, taken, tracks);
   ChooseBoxes(view, steps, map, tracks);
   steps.rematch(view, map, rng, taken, tracks);
   for (std::size_t q = 0; q < tracks.size(); ++q) FindBoxOfTrack(view, map.live[q], tracks[q]);

@@ -67,7 +67,8 @@ std::vector<Match> FindLandmarks(const FrameView& view, LandmarkSearch& find,
 
 // Multi-level association (section 3.1 of the paper): features with landmarks of the live clusters,
 // then detections with clusters. Returns one track per cluster in map.live.
-std::vector<ClusterTrack> AssociateClusters(const FrameView& view, const AssociationSteps& steps,
+std::vector<ClusterTrack> AssociateClusters(const FrameView& view, FrameId newest,
+                                            const AssociationSteps& steps,
                                             const ClusterPredictor& predict, const ClusterMap& map,
                                             Rng& rng, TakenFeatures& taken);
 

@@ -104,6 +104,21 @@ void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& opt
   });
 }
 
+namespace {
+
+// Whether neither boxes nor, during T_t, motion show it to be a body (METHOD.md 6.4).
+bool LooksStatic(FrameId newest, const ClusterOptions& options, const Cluster& cluster) {
+  const std::int64_t undetected = newest.value - cluster.last_detected.value;
+  if (options.undetected_frames == 0 || cluster.given_body.valid()) return false;
+  if (undetected < std::max(options.undetected_frames, cluster.detections)) return false;
+  const RigidTransform moved =
+      cluster.states.front().world_from_object.Inverse() * cluster.Latest().world_from_object;
+  const double turned_m = RotationAngle(moved.rotation()) * cluster.half_size_m.maxCoeff();
+  return moved.translation().norm() + turned_m < PointDeviation_m(cluster);
+}
+
+}  // namespace
+
 void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& options,
                     ClusterMap& map) {
   std::vector<Cluster> live;
@@ -111,7 +126,7 @@ void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& optio
     const std::int64_t unseen = newest.value - cluster.last_observed.value;
     const std::int64_t undetected = newest.value - cluster.last_detected.value;
     const bool is_confirmed = IsConfirmed(cluster, options);
-    const bool is_gone = unseen >= live_frames;
+    const bool is_gone = unseen >= live_frames || LooksStatic(newest, options, cluster);
     if (!is_confirmed && (is_gone || undetected >= options.confirm_frames)) {
       map.trajectories.erase(cluster.id);
     } else if (is_gone) {

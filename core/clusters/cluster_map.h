@@ -76,8 +76,10 @@ void AbsorbObservations(const Window& window, const WindowFrame& leaving, const 
 void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& options,
                  Cluster& cluster);
 
-// Archives clusters that were not observed for live_frames frames. Unconfirmed clusters are dropped
-// instead, also if they were not detected for options.confirm_frames frames.
+// Archives clusters that were not observed for live_frames frames, or that stand still and were not
+// detected for options.undetected_frames frames, nor for as many as they were ever detected in.
+// Unconfirmed clusters are dropped instead, also if they were not detected for
+// options.confirm_frames frames.
 void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& options,
                     ClusterMap& map);
 

@@ -109,6 +109,14 @@ PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_n
           extrapolated.translation_covariance_m2(0, 0), turn * turn};
 }
 
+bool AgreesWithPrediction(const PredictedCluster& predicted,
+                          const RigidTransform& world_from_object, double gate) {
+  const RigidTransform off = predicted.world_from_object.Inverse() * world_from_object;
+  const double angle_rad = RotationAngle(off.rotation());
+  return off.translation().squaredNorm() <= gate * predicted.translation_variance_m2 &&
+         angle_rad * angle_rad <= gate * predicted.rotation_variance_rad2;
+}
+
 std::optional<PredictedLandmark> PredictLandmark(const FrameView& view,
                                                  const PredictedCluster& predicted,
                                                  const Landmark& landmark) {

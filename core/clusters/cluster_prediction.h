@@ -34,6 +34,11 @@ using Extrapolation = PredictedMotion(const MotionPriorOptions&, std::span<const
 PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,
                                 Extrapolation& extrapolate, const MotionPriorOptions& motion);
 
+// Whether position and orientation are each within the gate, in squared deviations, of the
+// predicted ones (METHOD.md 4.4).
+bool AgreesWithPrediction(const PredictedCluster& predicted,
+                          const RigidTransform& world_from_object, double gate);
+
 // Predicts any cluster at one fixed time.
 using ClusterPredictor = std::function<PredictedCluster(const Cluster&)>;
 

@@ -75,8 +75,7 @@ void InsertObservation(const Observation& seen, Landmark& landmark) {
 }
 
 // Inserts a copy of the next pose with the values that the kept frame determines.
-void InsertPose(const KeptFrame& kept, const ClusterTrack& track, double score_decay,
-                ClusterTrajectory& trajectory) {
+void InsertPose(const KeptFrame& kept, const ClusterTrack& track, ClusterTrajectory& trajectory) {
   auto at = FirstPoseFrom(kept.id.value, trajectory);
   if (at != trajectory.poses.end() && at->frame == kept.id.value) at = trajectory.poses.erase(at);
   if (at == trajectory.poses.end()) return;
@@ -88,7 +87,7 @@ void InsertPose(const KeptFrame& kept, const ClusterTrack& track, double score_d
   pose.velocity_m_s = track.predicted.velocity_m_s;
   pose.observed_landmarks = static_cast<int>(track.matches.size());
   pose.detection = -1;
-  pose.score *= score_decay;
+  pose.score *= ClusterOptions::kScoreDecay;
   trajectory.poses.insert(at, pose);
 }
 
@@ -174,8 +173,8 @@ std::optional<ClusterTrack> TrackInPast(const FrameView& view, LandmarkSearch& f
 }
 
 // Adds the state, the observations and the reported pose of an earlier frame.
-void AddPast(const ClusterOptions& options, const KeptFrame& kept, const ClusterTrack& track,
-             Cluster& cluster, ClusterTrajectory& trajectory) {
+void AddPast(const KeptFrame& kept, const ClusterTrack& track, Cluster& cluster,
+             ClusterTrajectory& trajectory) {
   for (const Match& match : track.matches) {
     const StereoFeature& feature = kept.frame.features[match.feature];
     InsertObservation(
@@ -186,7 +185,7 @@ void AddPast(const ClusterOptions& options, const KeptFrame& kept, const Cluster
       FirstStateAfter(kept.id, cluster.states),
       {kept.id, kept.frame.timestamp_ns, track.world_from_object, track.predicted.velocity_m_s});
   ++cluster.frames;
-  InsertPose(kept, track, options.score_decay, trajectory);
+  InsertPose(kept, track, trajectory);
 }
 
 }  // namespace
@@ -212,7 +211,7 @@ void TraceBack(const TraceBackStep& step, std::deque<KeptFrame>& kept_frames, Cl
         cluster.lost_before = FirstTracked(window, cluster);
         break;
       }
-      AddPast(step.options.clusters, *kept, *track, cluster, trajectory);
+      AddPast(*kept, *track, cluster, trajectory);
     }
   }
 }

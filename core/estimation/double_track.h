@@ -19,7 +19,8 @@ struct WindowOptions {
   double promote_translation = 0.12;
   double promote_rotation_rad = 0.1745;
   double promote_common = 0.6;
-  int lost_frames = 3;
+  // A landmark seen only once is removed after this many frames without an observation.
+  static constexpr int kLostFrames = 3;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {
@@ -41,11 +42,6 @@ struct WindowOptions {
                  "a frame is promoted if it sees less than this fraction of the landmarks of the "
                  "newest frame in T_s",
                  "METHOD.md 7.1"});
-    visit.Field("lost_frames", self.lost_frames,
-                {"frames", 1, 100,
-                 "a landmark seen only once is removed after this many frames without an "
-                 "observation",
-                 "METHOD.md 7.3"});
   }
 };
 

@@ -52,12 +52,14 @@ struct ClusterOptions {
   double box_half_size = 0.13;
   int confirm_detections = 2;
   int confirm_frames = 5;
+  int undetected_frames = 15;
   int min_tracked = 4;
   int live_frames = 0;
   int archived = 20;
   int max_landmarks = 800;
   double max_past_observations = 30.0;
-  double score_decay = 0.9;
+  // Factor on a cluster's score per frame without a detection (METHOD.md 10.1).
+  static constexpr double kScoreDecay = 0.9;
   int trace_states = 3;
 
   template <typename Self, typename Visitor>
@@ -87,6 +89,11 @@ struct ClusterOptions {
     visit.Field("confirm_frames", self.confirm_frames,
                 {"frames", 1, 1000, "frames after which an unconfirmed cluster is removed",
                  "spans the detectors' usual gaps of one to four frames"});
+    visit.Field("undetected_frames", self.undetected_frames,
+                {"frames", 0, 1000,
+                 "least number of frames without a detection after which a cluster that stands "
+                 "still is archived; 0: never",
+                 "METHOD.md 6.4"});
     visit.Field(
         "min_tracked", self.min_tracked,
         {"landmarks", 3, 1000,
@@ -111,9 +118,6 @@ struct ClusterOptions {
                  "maximum weight of observations that left the window, in observations per "
                  "landmark; larger drifts less and corrects errors more slowly; 0 forgets them",
                  "fixed poses have errors too"});
-    visit.Field(
-        "score_decay", self.score_decay,
-        {"1", 0, 1, "factor on a cluster's score per frame without a detection", "METHOD.md 10.1"});
     visit.Field("trace_states", self.trace_states,
                 {"states", 0, 1000,
                  "number of consecutive states after which a new cluster is also searched for in "

@@ -89,7 +89,7 @@ void OptimizeWindow(const Options& options, const EnergySteps& steps, const RowF
   if (!problem.is_right_field_fixed) {
     AppendRowEvidence(rows, window.camera, noise.row_field_px, problem.prior);
   }
-  const std::vector<int> landmarks = SelectLandmarks(window, options.solver.max_points);
+  const std::vector<int> landmarks = SelectLandmarks(window, SolverOptions::kMaxPoints);
   for (const int i : landmarks) {
     AddLandmark(window.landmarks[i], options.NoiseOfFeatures(), problem);
   }

@@ -127,8 +127,8 @@ class VisualOdometry final : public Odometry {
   void Associate(std::span<StereoFeature> features, Step& step) {
     TakenFeatures taken(features.size(), 0);
     for (const Match& match : step.static_matches) taken[match.feature] = 1;
-    step.cluster_tracks = AssociateClusters(step.view, steps_.association, PredictorOfClusters(),
-                                            clusters_, cluster_rng_, taken);
+    step.cluster_tracks = AssociateClusters(step.view, newest_, steps_.association,
+                                            PredictorOfClusters(), clusters_, cluster_rng_, taken);
     for (std::size_t q = 0; q < step.cluster_tracks.size(); ++q) {
       if (!step.cluster_tracks[q].is_tracked) continue;
       PlaceFeatures(step.view, clusters_.live[q], step.cluster_tracks[q], features);
@@ -150,7 +150,7 @@ class VisualOdometry final : public Odometry {
     CreateClusters(step.view, steps_.labels.new_body, newest_, step.points, step.labels, clusters_);
     const int created = UpdateLandmarks(step.view, entering, step.cluster_tracks, step.points,
                                         step.labels, next_landmark_, window_, clusters_);
-    RemoveUnconfirmed(newest_, options_.window.lost_frames, window_.landmarks);
+    RemoveUnconfirmed(newest_, WindowOptions::kLostFrames, window_.landmarks);
     AdvanceWindow(entering);
     return created;
   }
@@ -217,7 +217,7 @@ class VisualOdometry final : public Odometry {
         AbsorbObservations(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
                            cluster);
       }
-      RemoveUnconfirmed(newest_, options_.window.lost_frames, cluster.landmarks);
+      RemoveUnconfirmed(newest_, WindowOptions::kLostFrames, cluster.landmarks);
       TrimCluster(window_, newest_, options_.clusters, cluster);
     }
   }

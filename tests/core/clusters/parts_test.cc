@@ -111,6 +111,30 @@ TEST(RetireClusters, KeepsArchivesOrDropsClusters) {
   EXPECT_THAT(told, ElementsAre(1, 2, 6));
 }
 
+TEST(RetireClusters, ArchivesWhatStandsStillUndetected) {
+  const ClusterOptions options;
+  const std::int64_t last = 100 - options.undetected_frames;
+  ClusterMap map;
+  // 1 and 2 have moved by less than a twelfth of their size, 3 and 4 by more.
+  for (const RigidTransform& end : {At(0, 0, 5), At(0.05, 0, 5), At(0.1, 0, 5), At(0, 0, 5, 0.5)}) {
+    Cluster cluster = ClusterSeen(map.next.value++, 100, last, 2);
+    cluster.states = {StateAt(90, At(0, 0, 5)), StateAt(100, end)};
+    cluster.half_size_m = {0.2, 0.1, 0.1};
+    map.live.push_back(cluster);
+  }
+  // The others are like 1, but one was detected a frame later, one more often, and one was given.
+  for (int id = 5; id <= 7; ++id) {
+    map.live.push_back(map.live[0]);
+    map.live.back().id = ClusterId{id};
+  }
+  map.live[4].last_detected = FrameId{last + 1};
+  map.live[5].detections = options.undetected_frames + 1;
+  map.live[6].given_body = BodyId{8};
+  RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
+  EXPECT_THAT(Ids(map, true), ElementsAre(3, 4, 5, 6, 7));
+  EXPECT_THAT(Ids(map, false), ElementsAre(1, 2));
+}
+
 TEST(RetireClusters, ArchiveDropsTheOldest) {
   ClusterOptions options;
   options.archived = 2;
@@ -172,6 +196,66 @@ TEST(PredictLandmark, IsInvisibleOutsideTheImageAndBehindTheCamera) {
   EXPECT_FALSE(p.Predict());
   p.world_from_camera = At(6.0, 0.0, 0.0);
   EXPECT_FALSE(p.Predict());
+}
+
+TEST(PredictedCluster, AgreesUpToTheGateInPositionAndInOrientation) {
+  PredictedCluster predicted;
+  predicted.world_from_object = At(1.0, 0.0, 5.0, 0.3);
+  predicted.translation_variance_m2 = 0.01;
+  predicted.rotation_variance_rad2 = 0.04;
+  const auto agrees = [&](double off_m, double off_rad) {
+    return AgreesWithPrediction(predicted, At(1.0 + off_m, 0.0, 5.0, 0.3 - off_rad), 9.0);
+  };
+  EXPECT_TRUE(agrees(0.29, 0.59));
+  EXPECT_FALSE(agrees(0.31, 0.0));
+  EXPECT_FALSE(agrees(-0.31, 0.0));
+  EXPECT_FALSE(agrees(0.0, 0.61));
+}
+
+// Whether a cluster with so many landmarks, last seen so many frames ago, is found in a frame that
+// shows them turned by the angle.
+bool IsFoundTurned(int landmarks, int frames_ago, double turned_rad) {
+  const Options options;
+  StereoFrame frame;
+  Cluster cluster;
+  cluster.states = {StateAt(10, At(0, 0, 5))};
+  for (int i = 0; i < landmarks; ++i) {
+    cluster.landmarks.push_back(MakeLandmark(i, {10}));
+    Landmark& landmark = cluster.landmarks.back();
+    landmark.p_in_object = {0.3 * std::cos(i), 0.3 * std::sin(i), 0.1 * (i % 3)};
+    landmark.depth_m = 5.0;
+    StereoFeature feature;
+    feature.z_px = *kCamera.Project(At(0, 0, 5, turned_rad) * landmark.p_in_object);
+    frame.features.push_back(feature);
+  }
+  ClusterMap map;
+  map.live = {cluster};
+  constexpr auto kMatchInOrder = [](std::span<const PredictedLandmark> predicted,
+                                    const FeatureGrid&, const TakenFeatures&,
+                                    const ClusterAssociationOptions&) {
+    std::vector<Match> matches;
+    for (const PredictedLandmark& p : predicted) matches.push_back({p.landmark, p.landmark});
+    return matches;
+  };
+  const auto predict = [](const Cluster& c) {
+    return PredictedCluster{c.Latest().world_from_object, {}, 0.01, 0.01};
+  };
+  const FeatureGrid grid(frame.features, kCamera);
+  TakenFeatures taken(frame.features.size(), 0);
+  Rng rng(1, "test");
+  const auto tracks = AssociateClusters(
+      {frame, {}, grid, kCamera, {}, options}, FrameId{10 + frames_ago},
+      {kMatchInOrder, &BoundedBoxes::Compute, &BoundedBoxes::Cost, true, &NoBoxRematch::Rematch},
+      predict, map, rng, taken);
+  return tracks[0].is_tracked;
+}
+
+TEST(AssociateClusters, FewMatchesAfterAGapMustAgreeWithThePrediction) {
+  const int many = ClusterAssociationOptions().min_rematch;
+  EXPECT_TRUE(IsFoundTurned(many - 1, 3, 0.1));
+  EXPECT_FALSE(IsFoundTurned(many - 1, 3, 0.5));
+  EXPECT_TRUE(IsFoundTurned(many - 1, 2, 0.5));
+  EXPECT_TRUE(IsFoundTurned(many, 3, 0.5));
 }
 
 TEST(RematchInBox, AClusterThatIsNotFoundKeepsItsBoxWhileItsPlaceIsKnown) {
