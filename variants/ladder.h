@@ -14,11 +14,17 @@
 
 namespace cvo {
 
+// Gives one option its default.
+template <auto kGroup, auto kField>
+void Default(Options& options) {
+  options.*kGroup.*kField = Options().*kGroup.*kField;
+}
+
 // One of our additions to Paper: policies (PaperWith), options that get their defaults, or both.
 struct Rung {
   std::string_view name;
   std::string_view adds;
-  void (*set)(Options& options, const Options& ours) = [](Options&, const Options&) {};
+  void (*set)(Options&) = [](Options&) {};
 };
 
 // The ladder from Paper to Full, in the order of the paper's sections. All rungs together make
@@ -28,62 +34,45 @@ inline constexpr Rung kLadder[] = {
      "bounded weights of landmarks in boxes, a share of each box for every cluster, no boxes of "
      "another class"},
     {"left_image", "landmarks of bodies are also found if only the left image shows them",
-     [](Options& options, const Options& ours) {
-       options.association.left_only = ours.association.left_only;
-     }},
+     Default<&Options::association, &ClusterAssociationOptions::left_only>},
     {"missed_detections", "a missed detection is no evidence against a cluster",
-     [](Options& options, const Options& ours) {
-       options.unary.undetected_reach = ours.unary.undetected_reach;
-     }},
+     Default<&Options::unary, &UnaryOptions::undetected_reach>},
     {"box_size", "a cluster fills its box",
-     [](Options& options, const Options& ours) {
-       options.clusters.box_half_size = ours.clusters.box_half_size;
-     }},
+     Default<&Options::clusters, &ClusterOptions::box_half_size>},
     {"new_bodies",
      "a new body is the nearest dense range of depths that fills its box, no part of another, "
      "with its origin behind the surface",
-     [](Options& options, const Options& ours) {
-       options.extent.part_share = ours.extent.part_share;
-     }},
-    {"reserve", "bodies get additional corners",
-     [](Options& options, const Options& ours) { options.orb.reserve = ours.orb.reserve; }},
+     Default<&Options::clusters, &ClusterOptions::part_share>},
+    {"reserve", "bodies get additional corners", Default<&Options::orb, &OrbOptions::reserve>},
     {"confirmation",
      "a cluster is reported from its second detection on, and archived if neither boxes nor motion "
      "show it any more",
-     [](Options& options, const Options& ours) {
-       options.clusters.confirm_detections = ours.clusters.confirm_detections;
-       options.clusters.undetected_frames = ours.clusters.undetected_frames;
+     [](Options& options) {
+       Default<&Options::clusters, &ClusterOptions::confirm_detections>(options);
+       Default<&Options::clusters, &ClusterOptions::undetected_frames>(options);
      }},
     {"aligned_patches", "matched corners are aligned with the first patch of their landmark",
-     [](Options& options, const Options& ours) {
-       options.tracking.align_patches = ours.tracking.align_patches;
-     }},
+     Default<&Options::tracking, &TrackingOptions::align_patches>},
     {"promotion",
      "a frame joins the spatial track if it is far from the newest one there, or turned"},
     {"patch_noise",
      "the noise of a disparity grows with the disagreement of the quarters of its patch",
-     [](Options& options, const Options& ours) {
-       options.noise.disagreement = ours.noise.disagreement;
-     }},
+     Default<&Options::noise, &NoiseOptions::disagreement>},
     {"self_calibration",
      "the calibration's error is estimated: that of columns with the window, as a field over the "
      "image, that of rows from each pair of images",
-     [](Options& options, const Options& ours) {
-       options.noise.right_mean_px = ours.noise.right_mean_px;
-       options.stereo.max_row_correction_px = ours.stereo.max_row_correction_px;
+     [](Options& options) {
+       Default<&Options::noise, &NoiseOptions::right_mean_px>(options);
+       Default<&Options::stereo, &StereoMatchOptions::max_row_correction_px>(options);
      }},
     {"outlier_removal", "observations beyond the gate are removed after each solution"},
     {"body_motion",
      "the motion prior has 1 m^2/s^3 instead of 0.01 m^2/frame^3 and includes orientations; "
      "predicted bodies keep turning"},
     {"past_information", "observations that leave the window stay in their landmarks",
-     [](Options& options, const Options& ours) {
-       options.clusters.max_past_observations = ours.clusters.max_past_observations;
-     }},
+     Default<&Options::clusters, &ClusterOptions::max_past_observations>},
     {"trace_back", "new clusters are also searched for in earlier frames",
-     [](Options& options, const Options& ours) {
-       options.clusters.trace_states = ours.clusters.trace_states;
-     }},
+     Default<&Options::clusters, &ClusterOptions::trace_states>},
     {"identity",
      "a cluster that is not found keeps its box only while its prediction is good; a new cluster "
      "that shares landmarks with a lost one takes over its id and its body frame"}};
@@ -117,7 +106,7 @@ struct PaperWith : Paper {
   static void SetDefaults(Options& options) {
     Paper::SetDefaults(options);
     for (std::size_t i = 0; i < kRungs; ++i) {
-      if ((kSet >> i & 1U) != 0) kLadder[i].set(options, Options());
+      if ((kSet >> i & 1U) != 0) kLadder[i].set(options);
     }
   }
 };

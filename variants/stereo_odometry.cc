@@ -89,8 +89,7 @@ FrameReport StereoOdometry::Skip(std::int64_t timestamp_ns) {
 
 void StereoOdometry::Remember(std::vector<cv::Rect2d> boxes) {
   recent_boxes_.push_back(std::move(boxes));
-  const auto kept = static_cast<std::size_t>(options_.orb.reserve_frames);
-  if (recent_boxes_.size() > kept) recent_boxes_.erase(recent_boxes_.begin());
+  if (recent_boxes_.size() > kReserveFrames) recent_boxes_.erase(recent_boxes_.begin());
 }
 
 }  // namespace cvo

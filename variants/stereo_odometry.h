@@ -71,7 +71,7 @@ class StereoOdometry {
   Options options_;
   std::unique_ptr<TaskPool> pool_;
   std::unique_ptr<Odometry> odometry_;
-  std::vector<std::vector<cv::Rect2d>> recent_boxes_;  // of the last orb.reserve_frames frames
+  std::vector<std::vector<cv::Rect2d>> recent_boxes_;  // of the last kReserveFrames frames
   std::vector<StereoFeature> features_;
 };
 

@@ -122,7 +122,6 @@ struct FixedRadiusAssociation {
 
 struct MatchingOptions {
   double wide_radius_px = 20.0;
-  double narrow_radius_px = 4.0;
   int max_hamming = 80;
   double ratio = 0.9;
 
@@ -133,9 +132,6 @@ struct MatchingOptions {
                  "search radius with the predicted camera pose, at level 0; larger tolerates "
                  "sharper turns, smaller gives fewer false matches",
                  "chosen on KITTI at 10 Hz"});
-    visit.Field("narrow_radius_px", self.narrow_radius_px,
-                {"px", 0.5, 100, "search radius with the solved camera pose, at level 0",
-                 "4 standard deviations of a corner"});
     visit.Field("max_hamming", self.max_hamming,
                 {"bits", 1, 256, "maximum descriptor distance of a match", "METHOD.md 3.1"});
     visit.Field(

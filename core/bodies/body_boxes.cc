@@ -102,14 +102,13 @@ Eigen::Matrix3d FootprintAxes(const Eigen::Matrix3Xd& points, const Eigen::Vecto
   return BoxAxes(best, down);
 }
 
-LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
-                         const ExtentOptions& extent) {
+LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points) {
   LandmarkSides sides;
   for (int k = 0; k < 3; ++k) {
     const Interval range = RangeAlong(axes.col(k), points, kSideQuantile);
     sides.low[k] = range.low;
     sides.high[k] = range.high;
-    sides.size_m[k] = std::max(range.high - range.low, 2.0 * extent.min_half_size_m);
+    sides.size_m[k] = std::max(range.high - range.low, 2.0 * kMinHalfSize_m);
   }
   return sides;
 }
@@ -249,7 +248,7 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
   const bool is_known = known_m.minCoeff() > 0.0;
   track.shape.axes = is_known ? BoxAxes(track.forward, scene.down)
                               : FootprintAxes(points, track.forward, scene.down);
-  const LandmarkSides sides = SidesAlong(track.shape.axes, points, scene.options.extent);
+  const LandmarkSides sides = SidesAlong(track.shape.axes, points);
   track.shape.is_round = IsRound(cluster.category);
   const Eigen::Vector3d size_m = track.shape.is_round ? SidesOfBall(sides.size_m, track.viewed)
                                                       : WithPictures(sides.size_m, track.viewed);

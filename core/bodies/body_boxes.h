@@ -32,8 +32,7 @@ struct LandmarkSides {
   Eigen::Vector3d high = Eigen::Vector3d::Zero();
   Eigen::Vector3d size_m = Eigen::Vector3d::Zero();
 };
-LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
-                         const ExtentOptions& extent);
+LandmarkSides SidesAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points);
 
 // Corrects the sides by those seen in images: the height is that in the images, and each side of
 // the footprint is kept within the factor kFootprintRatio of the square that looks as wide.

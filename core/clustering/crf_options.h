@@ -32,19 +32,6 @@ struct PairwiseOptions {
   }
 };
 
-struct LabelMatchingOptions {
-  double min_iou = 0.3;
-
-  template <typename Self, typename Visitor>
-  static void VisitFields(Self& self, Visitor& visit) {
-    visit.Field("min_iou", self.min_iou,
-                {"1", 0.01, 1.0,
-                 "minimum intersection over union of the landmarks of a new box and an existing "
-                 "cluster to match them; below it a new cluster is created",
-                 "METHOD.md 5.7"});
-  }
-};
-
 // Options of the unary terms of the CRF. Energies are negative log probabilities in nats.
 struct UnaryOptions {
   double eta = 0.95;

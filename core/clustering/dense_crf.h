@@ -165,7 +165,6 @@ struct LabeledNodes {
 // intersection over union). All labels of clusters and new boxes compete for all clusters; the
 // label of a cluster that matches none keeps its cluster if no other label took it. The id is
 // invalid for the outlier class and for labels that start a new cluster.
-std::vector<ClusterId> MatchLabels(std::span<const CrfLabel> labels, const LabeledNodes& nodes,
-                                   const LabelMatchingOptions& options);
+std::vector<ClusterId> MatchLabels(std::span<const CrfLabel> labels, const LabeledNodes& nodes);
 
 }  // namespace cvo

@@ -8,6 +8,9 @@
 namespace cvo {
 namespace {
 
+// Minimum intersection over union of a label and the cluster that it continues (METHOD.md 5.7).
+constexpr double kMinIou = 0.3;
+
 std::vector<int> LabelsOfBodies(std::span<const CrfLabel> labels) {
   std::vector<int> chosen;
   for (int label = 0; label < static_cast<int>(labels.size()); ++label) {
@@ -50,22 +53,20 @@ Eigen::MatrixXd Overlaps(std::span<const int> chosen, std::span<const ClusterId>
 
 // Assigns clusters to the chosen labels such that the total overlap is largest.
 void MatchByOverlap(std::span<const int> chosen, std::span<const ClusterId> clusters,
-                    const LabeledNodes& nodes, const LabelMatchingOptions& options,
-                    std::vector<ClusterId>& matched) {
+                    const LabeledNodes& nodes, std::vector<ClusterId>& matched) {
   const Eigen::MatrixXd overlaps = Overlaps(chosen, clusters, nodes);
   const std::vector<int> assigned = Assign(-overlaps);
   for (std::size_t k = 0; k < chosen.size(); ++k) {
-    if (assigned[k] < 0 || overlaps(k, assigned[k]) < options.min_iou) continue;
+    if (assigned[k] < 0 || overlaps(k, assigned[k]) < kMinIou) continue;
     matched[chosen[k]] = clusters[assigned[k]];
   }
 }
 
 }  // namespace
 
-std::vector<ClusterId> MatchLabels(std::span<const CrfLabel> labels, const LabeledNodes& nodes,
-                                   const LabelMatchingOptions& options) {
+std::vector<ClusterId> MatchLabels(std::span<const CrfLabel> labels, const LabeledNodes& nodes) {
   std::vector<ClusterId> matched(labels.size());
-  MatchByOverlap(LabelsOfBodies(labels), PreviousClusters(nodes.previous), nodes, options, matched);
+  MatchByOverlap(LabelsOfBodies(labels), PreviousClusters(nodes.previous), nodes, matched);
   const std::vector<ClusterId> taken = matched;
   for (std::size_t label = 0; label < labels.size(); ++label) {
     if (!matched[label].valid() && std::ranges::count(taken, labels[label].cluster) == 0) {

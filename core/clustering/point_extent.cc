@@ -14,6 +14,31 @@ namespace cvo {
 
 namespace {
 
+// A body's size is measured between this quantile of its points and one minus it (paper, section
+// 3.2).
+constexpr double kQuantile = 0.3;
+// Points farther from the median along an axis are not used to estimate the axes; the standard
+// deviation is 1.48 median absolute deviations (METHOD.md 6.1).
+constexpr double kInlierMads = 3.0;
+// Minimum ratio of successive variances for a body to have its own axes (sqrt(2 / n) is a
+// variance's relative error: 0.2 of 50 points).
+constexpr double kMinAxisRatio = 1.5;
+// Minimum fraction of the points in a box that form its foreground: fewer are outliers or a small
+// object in front (simulated: passes over 2 of 30, finds bodies that have 40 %).
+constexpr double kModeMinShare = 0.2;
+// Depths are split where their density falls below this fraction of the foreground peak; larger
+// splits bodies, smaller merges them with the background (simulated: cars at 8 to 40 m and
+// furniture before walls, 12 to 60 points).
+constexpr double kModeValley = 0.2;
+// Width of the kernel that smooths the logarithms of depths: bodies are about as deep as they are
+// wide (simulated, as kModeValley).
+constexpr double kModeWidth = 0.35;
+// Minimum width of the kernel that smooths depths (two deviations of a depth at 30 m: 0.3 px of
+// 13 px of disparity).
+constexpr double kModeMinWidth = 0.05;
+// Maximum width of the kernel that smooths depths (boxes that fill the image).
+constexpr double kModeMaxWidth = 0.3;
+
 struct Range {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -98,20 +123,17 @@ std::vector<int> IndicesIn(const Range& range, const std::vector<double>& log_de
 
 }  // namespace
 
-std::vector<std::vector<int>> DepthModes(const std::vector<double>& depths_m, double angular_size,
-                                         const ExtentOptions& options) {
+std::vector<std::vector<int>> DepthModes(const std::vector<double>& depths_m, double angular_size) {
   std::vector<double> log_depths;
   for (const double depth_m : depths_m) log_depths.push_back(std::log(depth_m));
   const double count = static_cast<double>(depths_m.size());
-  const double needed =
-      std::max(static_cast<double>(options.kModeMinPoints), options.kModeMinShare * count);
+  const double needed = std::max(static_cast<double>(kModeMinPoints), kModeMinShare * count);
   if (count < needed) return {};
-  const double width = std::min(std::max(options.kModeWidth * angular_size, options.kModeMinWidth),
-                                options.kModeMaxWidth);
+  const double width = std::min(std::max(kModeWidth * angular_size, kModeMinWidth), kModeMaxWidth);
   std::vector<std::vector<int>> modes;
   const DepthDensity density = MakeDensity(log_depths, width);
   for (std::size_t bin = 1; bin + 1 < density.values.size(); ++bin) {
-    const auto mode = ModeAt(density, bin, options.kModeValley);
+    const auto mode = ModeAt(density, bin, kModeValley);
     if (mode && CountIn(*mode, log_depths) >= needed) {
       modes.push_back(IndicesIn(*mode, log_depths));
     }
@@ -156,11 +178,10 @@ Eigen::Vector3d RobustDeviation(const Eigen::Matrix3Xd& offsets) {
 }
 
 // Covariance of the offsets that are inliers along every axis.
-Eigen::Matrix3d InlierCovariance(const Eigen::Matrix3Xd& offsets, const ExtentOptions& options) {
+Eigen::Matrix3d InlierCovariance(const Eigen::Matrix3Xd& offsets) {
   // The minimum half size prevents points of a flat body, whose thickness is noise, from being
   // rejected.
-  const Eigen::Array3d reach =
-      (options.kInlierMads * RobustDeviation(offsets)).array().max(options.min_half_size_m);
+  const Eigen::Array3d reach = (kInlierMads * RobustDeviation(offsets)).array().max(kMinHalfSize_m);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   double count = 0.0;
@@ -194,29 +215,28 @@ void FixSigns(Eigen::Matrix3d& axes) {
 
 }  // namespace
 
-PointExtent ExtentAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points,
-                        const ExtentOptions& options) {
+PointExtent ExtentAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points) {
   CheckNotEmpty(points);
   const Eigen::Matrix3Xd along_axes = axes.transpose() * points;
   PointExtent extent;
   Eigen::Vector3d center;
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<double> sorted = Sorted(along_axes.row(axis).transpose());
-    const double low = Quantile(sorted, options.quantile);
-    const double high = Quantile(sorted, 1.0 - options.quantile);
+    const double low = Quantile(sorted, kQuantile);
+    const double high = Quantile(sorted, 1.0 - kQuantile);
     center[axis] = 0.5 * (high + low);
-    extent.half_size_m[axis] = std::max(0.5 * (high - low), options.min_half_size_m);
+    extent.half_size_m[axis] = std::max(0.5 * (high - low), kMinHalfSize_m);
   }
   extent.center = axes * center;
   return extent;
 }
 
-RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points, const ExtentOptions& options) {
+RigidTransform PrincipalAxes(const Eigen::Matrix3Xd& points) {
   CheckNotEmpty(points);
   const Eigen::Vector3d median = MedianPoint(points);
   const Eigen::Matrix3Xd offsets = points.colwise() - median;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(InlierCovariance(offsets, options));
-  if (!AreDistinct(solver.eigenvalues().reverse(), options.kMinAxisRatio)) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(InlierCovariance(offsets));
+  if (!AreDistinct(solver.eigenvalues().reverse(), kMinAxisRatio)) {
     return RigidTransform(Eigen::Matrix3d(Eigen::Matrix3d::Identity()), median);
   }
   Eigen::Matrix3d axes = solver.eigenvectors().rowwise().reverse();

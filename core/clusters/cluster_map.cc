@@ -107,8 +107,7 @@ void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& opt
 namespace {
 
 // Whether neither boxes nor, during T_t, motion show it to be a body (METHOD.md 6.4).
-bool LooksStatic(FrameId newest, const ClusterOptions& options, const Cluster& cluster) {
-  const std::int64_t undetected = newest.value - cluster.last_detected.value;
+bool LooksStatic(std::int64_t undetected, const ClusterOptions& options, const Cluster& cluster) {
   if (options.undetected_frames == 0 || cluster.given_body.valid()) return false;
   if (undetected < std::max(options.undetected_frames, cluster.detections)) return false;
   const RigidTransform moved =
@@ -126,7 +125,7 @@ void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& optio
     const std::int64_t unseen = newest.value - cluster.last_observed.value;
     const std::int64_t undetected = newest.value - cluster.last_detected.value;
     const bool is_confirmed = IsConfirmed(cluster, options);
-    const bool is_gone = unseen >= live_frames || LooksStatic(newest, options, cluster);
+    const bool is_gone = unseen >= live_frames || LooksStatic(undetected, options, cluster);
     if (!is_confirmed && (is_gone || undetected >= options.confirm_frames)) {
       map.trajectories.erase(cluster.id);
     } else if (is_gone) {
@@ -151,13 +150,13 @@ std::vector<ClusterTrajectory> ConfirmedTrajectories(const ClusterMap& map,
   return confirmed;
 }
 
-void UpdateExtent(const ExtentOptions& options, Cluster& cluster) {
+void UpdateExtent(Cluster& cluster) {
   if (cluster.landmarks.empty()) return;
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(cluster.landmarks.size()));
   for (std::size_t i = 0; i < cluster.landmarks.size(); ++i) {
     points.col(static_cast<Eigen::Index>(i)) = cluster.landmarks[i].p_in_object;
   }
-  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points, options);
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points);
   cluster.center_in_object = extent.center;
   cluster.half_size_m = extent.half_size_m;
 }

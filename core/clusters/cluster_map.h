@@ -89,6 +89,6 @@ std::vector<ClusterTrajectory> ConfirmedTrajectories(const ClusterMap& map,
 
 // Sets the cluster's centre and half sides from the 30th and 70th percentiles of its landmarks'
 // coordinates (METHOD.md 6.2).
-void UpdateExtent(const ExtentOptions& options, Cluster& cluster);
+void UpdateExtent(Cluster& cluster);
 
 }  // namespace cvo

@@ -19,8 +19,6 @@ struct WindowOptions {
   double promote_translation = 0.12;
   double promote_rotation_rad = 0.1745;
   double promote_common = 0.6;
-  // A landmark seen only once is removed after this many frames without an observation.
-  static constexpr int kLostFrames = 3;
 
   template <typename Self, typename Visitor>
   static void VisitFields(Self& self, Visitor& visit) {

@@ -11,7 +11,6 @@ struct OrbOptions {
 
   int features = 1500;         // corners per image
   double reserve = 1.7;        // density of the reserve, relative to that of `features`
-  int reserve_frames = 3;      // frames for which a box keeps a reserve around it
   int box_features = 100;      // corners up to which the reserve fills each box
   int levels = 8;              // pyramid levels
   double scale_factor = 1.2;   // between levels
@@ -37,11 +36,6 @@ struct OrbOptions {
                 {"1", 0.0, 10.0,
                  "additional corners in and near detections, because bodies are small; density as "
                  "if reserve * orb.features corners were spread over the whole image",
-                 "METHOD.md 2.1"});
-    visit.Field("reserve_frames", self.reserve_frames,
-                {"frames", 1, 100,
-                 "number of frames for which the area around a detection keeps additional corners, "
-                 "because detectors occasionally miss bodies",
                  "METHOD.md 2.1"});
     visit.Field("box_features", self.box_features,
                 {"1", 0, kMaxFeatures,

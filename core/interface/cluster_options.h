@@ -50,6 +50,7 @@ struct ClusterOptions {
   int min_landmarks = 8;
   double birth_depth = 0.33;
   double box_half_size = 0.13;
+  double part_share = 0.8;
   int confirm_detections = 2;
   int confirm_frames = 5;
   int undetected_frames = 15;
@@ -82,6 +83,11 @@ struct ClusterOptions {
          "minimum half size of a cluster, as a fraction of the mean side of its box: its landmarks "
          "may so far all be on one part",
          "half of (p70 - p30) / 2 of a body that fills its box is 0.2; less, as it rarely does"});
+    visit.Field("part_share", self.part_share,
+                {"1", 0.0, 2.0,
+                 "minimum share of a box inside that of a cluster of the same class, at its depth, "
+                 "from which it is taken as a part of that body; more than 1: never",
+                 "METHOD.md 6.2"});
     visit.Field("confirm_detections", self.confirm_detections,
                 {"detections", 1, 100,
                  "minimum detections of a cluster to be reported; a single one is often false",

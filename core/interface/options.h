@@ -6,7 +6,6 @@
 #include "core/association/matching.h"
 #include "core/base/options.h"
 #include "core/clustering/crf_options.h"
-#include "core/clustering/point_extent.h"
 #include "core/estimation/double_track.h"
 #include "core/features/options.h"
 #include "core/interface/body_box_options.h"
@@ -29,8 +28,6 @@ struct Options {
   ClusterAssociationOptions association;
   UnaryOptions unary;
   PairwiseOptions pairwise;
-  LabelMatchingOptions label_matching;
-  ExtentOptions extent;
   MotionPriorOptions motion_prior;
   ClusterOptions clusters;
   BodyBoxOptions boxes;
@@ -60,8 +57,6 @@ struct Options {
     visit.Group("association", self.association);
     visit.Group("unary", self.unary);
     visit.Group("pairwise", self.pairwise);
-    visit.Group("label_matching", self.label_matching);
-    visit.Group("extent", self.extent);
     visit.Group("motion_prior", self.motion_prior);
     visit.Group("clusters", self.clusters);
     visit.Group("boxes", self.boxes);

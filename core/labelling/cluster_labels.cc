@@ -98,7 +98,7 @@ bool IsPartOfCluster(const FrameView& view, int detection, const CrfLabel::Exten
     if (label.kind != LabelKind::kCluster || label.detection < 0) return false;
     const Detection& whole = view.shown.detections[label.detection];
     if (whole.category != part.category ||
-        ShareInside(part.box, whole.box) < view.options.extent.part_share) {
+        ShareInside(part.box, whole.box) < view.options.clusters.part_share) {
       return false;
     }
     const double depth_m = label.extent->center_in_camera.z();
@@ -168,8 +168,7 @@ std::vector<int> DecideLabels(const FrameView& view, const std::vector<FramePoin
 }
 
 // Returns for each label the cluster that it continues.
-std::vector<ClusterId> ContinueClusters(const FrameView& view, const Window& window,
-                                        const ClusterMap& map,
+std::vector<ClusterId> ContinueClusters(const Window& window, const ClusterMap& map,
                                         const std::vector<FramePoint>& points,
                                         const CrfScene& scene, const std::vector<int>& decided) {
   std::vector<int> label_of_old;  // new points have no previous cluster
@@ -180,7 +179,7 @@ std::vector<ClusterId> ContinueClusters(const FrameView& view, const Window& win
     previous.push_back(landmark->label.cluster);
     label_of_old.push_back(decided[i]);
   }
-  return MatchLabels(scene.labels, {label_of_old, previous}, view.options.label_matching);
+  return MatchLabels(scene.labels, {label_of_old, previous});
 }
 
 // The report on a point, with the label that its landmark has so far or, without one, `inferred`.
@@ -275,7 +274,7 @@ FrameLabels LabelPoints(const FrameView& view, const LabelSteps& steps, const Wi
   const EnergyMatrix unary = steps.unaries(scene, view.options.unary);
   const CrfResult crf = steps.infer(unary, MovingPlaces(scene), view.options.pairwise, memory);
   const std::vector<int> decided = DecideLabels(view, points, scene, crf);
-  std::vector<ClusterId> cluster_of = ContinueClusters(view, window, map, points, scene, decided);
+  std::vector<ClusterId> cluster_of = ContinueClusters(window, map, points, scene, decided);
   NameLabels(map.next, scene.labels, cluster_of, labels);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Landmark* landmark = landmark_of(i);

@@ -39,7 +39,7 @@ Cluster CreateCluster(const FrameView& view, const NewBodyRule& new_body, FrameI
   cluster.id = birth.id;
   cluster.given_body = birth.given_body;
   cluster.category = kUnknownCategory;
-  const RigidTransform axes = PrincipalAxes(members, view.options.extent);
+  const RigidTransform axes = PrincipalAxes(members);
   Eigen::Vector3d origin = axes.translation();
   cluster.last_observed = newest;
   if (birth.detection >= 0) {
@@ -267,9 +267,11 @@ int UpdateLandmarks(const FrameView& view, const WindowFrame& entering,
   return added;
 }
 
-void RemoveUnconfirmed(FrameId newest, int frames, std::vector<Landmark>& landmarks) {
+void RemoveUnconfirmed(FrameId newest, std::vector<Landmark>& landmarks) {
+  constexpr int kLostFrames = 3;
   std::erase_if(landmarks, [&](const Landmark& landmark) {
-    return landmark.observations.size() == 1 && landmark.last_seen.value <= newest.value - frames &&
+    return landmark.observations.size() == 1 &&
+           landmark.last_seen.value <= newest.value - kLostFrames &&
            landmark.past_information.isZero();
   });
 }

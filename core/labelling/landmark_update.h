@@ -21,8 +21,8 @@ int UpdateLandmarks(const FrameView& view, const WindowFrame& entering,
                     const std::vector<ClusterTrack>& tracks, const std::vector<FramePoint>& points,
                     FrameLabels& labels, LandmarkId& next_id, Window& window, ClusterMap& map);
 
-// Removes landmarks that have one observation, no past information, and were not seen in the latest
-// `frames` frames.
-void RemoveUnconfirmed(FrameId newest, int frames, std::vector<Landmark>& landmarks);
+// Removes landmarks that have one observation, no past information, and were not seen in the last
+// three frames.
+void RemoveUnconfirmed(FrameId newest, std::vector<Landmark>& landmarks);
 
 }  // namespace cvo

@@ -92,6 +92,11 @@ struct OpenBox {
   double fill = 0.0;      // Fill of these points, in [0, 1]
 };
 
+// Minimum image area covered by the foreground of a new box, as a fraction of the area covered by
+// the most widely spread depth range; less is taken for part of something in front; 0: always the
+// nearest range (chosen from 0, 0.3 and 0.5 on development rooms).
+constexpr double kMinFill = 0.5;
+
 // How much of the box the points (at least one) are spread over: intersection over union of the
 // rectangle around them and the box, in [0, 1].
 double Fill(const ImageBox& box, const std::vector<int>& body, const std::vector<CrfNode>& nodes) {
@@ -111,9 +116,8 @@ std::vector<OpenBox> OpenBoxes(const FrameView& view, const std::vector<char>& i
   return open;
 }
 
-void ChooseBody(const NewBodyRule& rule, const ExtentOptions& options,
-                const std::vector<CrfNode>& nodes, const std::vector<char>& is_taken,
-                OpenBox& box) {
+void ChooseBody(const NewBodyRule& rule, const std::vector<CrfNode>& nodes,
+                const std::vector<char>& is_taken, OpenBox& box) {
   std::vector<int> inside;
   std::vector<double> depths;
   for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
@@ -121,7 +125,7 @@ void ChooseBody(const NewBodyRule& rule, const ExtentOptions& options,
     inside.push_back(i);
     depths.push_back(nodes[i].p_in_camera.z());
   }
-  std::vector<std::vector<int>> candidates = rule.candidates(depths, box.angular_size, options);
+  std::vector<std::vector<int>> candidates = rule.candidates(depths, box.angular_size);
   std::vector<double> fills;
   for (std::vector<int>& body : candidates) {
     for (int& k : body) k = inside[k];
@@ -130,7 +134,7 @@ void ChooseBody(const NewBodyRule& rule, const ExtentOptions& options,
   box.body.clear();
   box.fill = 0.0;
   if (candidates.empty()) return;
-  const double least = options.kModeMinFill * *std::max_element(fills.begin(), fills.end());
+  const double least = kMinFill * *std::max_element(fills.begin(), fills.end());
   const auto chosen =
       std::find_if(fills.begin(), fills.end(), [least](double fill) { return fill >= least; });
   box.body = std::move(candidates[static_cast<std::size_t>(chosen - fills.begin())]);
@@ -139,9 +143,8 @@ void ChooseBody(const NewBodyRule& rule, const ExtentOptions& options,
 
 // Resolves shared points: processes the boxes in the order of how well their points fill them, and
 // lets each later box that shares points with an earlier one choose anew without them.
-void ShareOut(const NewBodyRule& rule, const ExtentOptions& options,
-              const std::vector<CrfNode>& nodes, std::vector<char> is_taken,
-              std::vector<OpenBox>& open) {
+void ShareOut(const NewBodyRule& rule, const std::vector<CrfNode>& nodes,
+              std::vector<char> is_taken, std::vector<OpenBox>& open) {
   for (auto next = open.begin(); next != open.end(); ++next) {
     std::iter_swap(next, std::max_element(next, open.end(), [](const OpenBox& a, const OpenBox& b) {
                      return a.fill < b.fill;
@@ -150,26 +153,25 @@ void ShareOut(const NewBodyRule& rule, const ExtentOptions& options,
     for (auto other = next + 1; other != open.end(); ++other) {
       const bool loses = std::any_of(other->body.begin(), other->body.end(),
                                      [&](int i) { return is_taken[i] != 0; });
-      if (loses) ChooseBody(rule, options, nodes, is_taken, *other);
+      if (loses) ChooseBody(rule, nodes, is_taken, *other);
     }
   }
 }
 
-CrfLabel::Extent ExtentOf(const std::vector<int>& body, const std::vector<CrfNode>& nodes,
-                          const ExtentOptions& options) {
+CrfLabel::Extent ExtentOf(const std::vector<int>& body, const std::vector<CrfNode>& nodes) {
   Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(body.size()));
   for (std::size_t k = 0; k < body.size(); ++k) {
     points.col(static_cast<Eigen::Index>(k)) = nodes[body[k]].p_in_camera;
   }
-  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points, options);
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points);
   return {extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
 }
 
 }  // namespace
 
 std::vector<std::vector<int>> BodiesOfAllPoints::Candidates(const std::vector<double>& depths_m,
-                                                            double, const ExtentOptions& options) {
-  if (static_cast<int>(depths_m.size()) < options.kModeMinPoints) return {};
+                                                            double) {
+  if (static_cast<int>(depths_m.size()) < kModeMinPoints) return {};
   std::vector<int> all(depths_m.size());
   std::iota(all.begin(), all.end(), 0);
   return {all};
@@ -180,17 +182,16 @@ std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view
                                                            const std::vector<char>& is_claimed,
                                                            const std::vector<FramePoint>& points,
                                                            const std::vector<CrfNode>& nodes) {
-  const ExtentOptions& options = view.options.extent;
   std::vector<char> is_taken;
   for (const FramePoint& point : points) {
     is_taken.push_back(point.owner >= 0);
   }
   std::vector<OpenBox> open = OpenBoxes(view, is_claimed);
-  for (OpenBox& box : open) ChooseBody(rule, options, nodes, is_taken, box);
-  if (!rule.shares_points) ShareOut(rule, options, nodes, is_taken, open);
+  for (OpenBox& box : open) ChooseBody(rule, nodes, is_taken, box);
+  if (!rule.shares_points) ShareOut(rule, nodes, is_taken, open);
   std::vector<std::optional<CrfLabel::Extent>> bodies(is_claimed.size());
   for (const OpenBox& box : open) {
-    if (!box.body.empty()) bodies[box.detection] = ExtentOf(box.body, nodes, options);
+    if (!box.body.empty()) bodies[box.detection] = ExtentOf(box.body, nodes);
   }
   return bodies;
 }

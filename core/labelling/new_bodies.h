@@ -59,20 +59,18 @@ std::optional<RigidTransform> OwnerPose(int owner, FrameId frame, const ClusterM
 struct BodiesByDepth {
   static constexpr bool kSharesPoints = false;
   static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m,
-                                                  double angular_size,
-                                                  const ExtentOptions& options) {
-    return DepthModes(depths_m, angular_size, options);
+                                                  double angular_size) {
+    return DepthModes(depths_m, angular_size);
   }
   static Eigen::Vector3d Origin(const Eigen::Vector3d&, const Eigen::Vector3d& box_center) {
     return box_center;
   }
 };
-// Policy: the paper's, all points, if there are at least ExtentOptions::kModeMinPoints; the origin
+// Policy: the paper's, all points, if there are at least kModeMinPoints; the origin
 // at their centre, on the visible surface.
 struct BodiesOfAllPoints {
   static constexpr bool kSharesPoints = true;
-  static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m, double,
-                                                  const ExtentOptions& options);
+  static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m, double);
   static Eigen::Vector3d Origin(const Eigen::Vector3d& centroid, const Eigen::Vector3d&) {
     return centroid;
   }
@@ -80,8 +78,7 @@ struct BodiesOfAllPoints {
 
 // One of these policies.
 struct NewBodyRule {
-  std::vector<std::vector<int>> (*candidates)(const std::vector<double>&, double,
-                                              const ExtentOptions&);
+  std::vector<std::vector<int>> (*candidates)(const std::vector<double>&, double);
   bool shares_points;
   Eigen::Vector3d (*origin)(const Eigen::Vector3d& centroid, const Eigen::Vector3d& box_center);
 };
@@ -91,10 +88,9 @@ constexpr NewBodyRule RuleOf() {
 }
 
 // Returns for each detection the extent of the body in it, from those of its points that belong to
-// no cluster (METHOD.md 6.2). The body is the first candidate that is spread over enough of the box
-// (ExtentOptions::kModeMinFill). If boxes share points, the box that they fill best gets them.
-// Empty for detections that a cluster claims or that have no candidate. `nodes` has one entry per
-// point.
+// no cluster (METHOD.md 6.2). The body is the first candidate that is spread over enough of the
+// box. If boxes share points, the box that they fill best gets them. Empty for detections that a
+// cluster claims or that have no candidate. `nodes` has one entry per point.
 std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view,
                                                            const NewBodyRule& rule,
                                                            const std::vector<char>& is_claimed,

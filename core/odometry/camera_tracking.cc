@@ -33,6 +33,10 @@ RigidTransform MotionModel::Predict(std::int64_t timestamp_ns) const {
 
 namespace {
 
+// Search radius with the solved camera pose, at level 0: 4 standard deviations of a corner
+// (METHOD.md 3.2).
+constexpr double kNarrowRadius_px = 4.0;
+
 struct Visible {
   std::vector<ProjectedLandmark> projected;
   std::vector<int> landmark;  // index into window.landmarks, per projected landmark
@@ -84,9 +88,9 @@ RigidTransform BestCovering(const Options& options, const Window& window, const 
   RigidTransform best = candidates.front();
   double most = 0.0;
   for (const RigidTransform& candidate : candidates) {
-    const std::vector<PointMeasurement> measurements = MeasurementsOf(
-        options.NoiseOfFeatures(), window.landmarks, grid.features(),
-        SearchAround(options, window, grid, candidate, options.matching.narrow_radius_px));
+    const std::vector<PointMeasurement> measurements =
+        MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(),
+                       SearchAround(options, window, grid, candidate, kNarrowRadius_px));
     const CameraSolution solution =
         RefineCamera(window.camera, measurements, candidate, options.noise);
     const double share = solution.inliers / std::max(1.0, static_cast<double>(measurements.size()));
@@ -135,7 +139,7 @@ std::vector<Match> Inliers(const std::vector<Match>& matches, const CameraSoluti
 CameraTrack MatchAround(const Options& options, const Window& window, const FeatureGrid& grid,
                         const RigidTransform& world_from_camera) {
   const std::vector<Match> matches =
-      SearchAround(options, window, grid, world_from_camera, options.matching.narrow_radius_px);
+      SearchAround(options, window, grid, world_from_camera, kNarrowRadius_px);
   const CameraSolution agreeing = ClassifyMeasurements(
       window.camera,
       MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches),
@@ -162,8 +166,7 @@ std::optional<CameraTrack> TrackCamera(const Options& options, const Window& win
     if (found) candidates.push_back(*found);
   }
   const RigidTransform around = BestCovering(options, window, grid, candidates);
-  const std::vector<Match> narrow =
-      SearchAround(options, window, grid, around, options.matching.narrow_radius_px);
+  const std::vector<Match> narrow = SearchAround(options, window, grid, around, kNarrowRadius_px);
   if (options.tracking.align_patches) {
     AlignToLandmarks(options.orb.scale_factor, around.Inverse(), window.landmarks, narrow,
                      features);

@@ -150,7 +150,7 @@ class VisualOdometry final : public Odometry {
     CreateClusters(step.view, steps_.labels.new_body, newest_, step.points, step.labels, clusters_);
     const int created = UpdateLandmarks(step.view, entering, step.cluster_tracks, step.points,
                                         step.labels, next_landmark_, window_, clusters_);
-    RemoveUnconfirmed(newest_, WindowOptions::kLostFrames, window_.landmarks);
+    RemoveUnconfirmed(newest_, window_.landmarks);
     AdvanceWindow(entering);
     return created;
   }
@@ -217,7 +217,7 @@ class VisualOdometry final : public Odometry {
         AbsorbObservations(window_, *oldest, options_.NoiseOfFeatures(), options_.clusters,
                            cluster);
       }
-      RemoveUnconfirmed(newest_, WindowOptions::kLostFrames, cluster.landmarks);
+      RemoveUnconfirmed(newest_, cluster.landmarks);
       TrimCluster(window_, newest_, options_.clusters, cluster);
     }
   }
@@ -269,7 +269,7 @@ class VisualOdometry final : public Odometry {
       report.spatial_ages.push_back(static_cast<int>(newest_.value - frame.id.value));
     }
     motion_.Update(timestamp_ns_, report.world_from_camera);
-    for (Cluster& cluster : clusters_.live) UpdateExtent(options_.extent, cluster);
+    for (Cluster& cluster : clusters_.live) UpdateExtent(cluster);
     view.world_from_camera = report.world_from_camera;
     view.camera = window_.camera;
     EndClusters(&view, report);

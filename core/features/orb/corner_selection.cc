@@ -29,7 +29,7 @@ bool HasCenterOf(const cv::Rect2d& box, const CornerRegion& region) {
 
 std::vector<CornerRegion> LeftRegions(RecentBoxes boxes, const OrbOptions& orb) {
   std::vector<CornerRegion> regions;
-  const int frames = std::min(orb.reserve_frames, static_cast<int>(boxes.size()));
+  const int frames = std::min(kReserveFrames, static_cast<int>(boxes.size()));
   for (int age = 0; age < frames; ++age) {
     const std::size_t newer = regions.size();
     for (const cv::Rect2d& box : boxes[boxes.size() - 1 - static_cast<std::size_t>(age)]) {

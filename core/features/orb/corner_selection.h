@@ -21,11 +21,15 @@ struct CornerRegion {
   int corners = 0;
 };
 
+// Number of frames for which a box keeps a reserve of corners around it: detectors occasionally
+// miss bodies (METHOD.md 2.1).
+inline constexpr int kReserveFrames = 3;
+
 // Boxes in the left image that may contain bodies, for consecutive frames, the current frame last.
 using RecentBoxes = std::span<const std::vector<cv::Rect2d>>;
 
 // Returns the regions of the left image: the boxes of the current frame, with orb.box_features
-// corners in each, and those of the last orb.reserve_frames frames unless a newer region contains
+// corners in each, and those of the last kReserveFrames frames unless a newer region contains
 // their centre. Older boxes are grown by how far their bodies may have moved.
 std::vector<CornerRegion> LeftRegions(RecentBoxes boxes, const OrbOptions& orb);
 // Returns the regions of the right image that may show the content of these left regions. They get

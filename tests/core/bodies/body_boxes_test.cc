@@ -264,7 +264,7 @@ TEST(BodyFootprint, UsesTheHeadingIfThereAreFewPoints) {
 TEST(BodyFootprint, SidesReachToTheOutermostInliers) {
   Eigen::Matrix3Xd points = Table(0.0);
   points.col(7).setConstant(30.0);
-  const LandmarkSides sides = SidesAlong(BoxAxes(Vector3d::UnitX(), kDown), points, {});
+  const LandmarkSides sides = SidesAlong(BoxAxes(Vector3d::UnitX(), kDown), points);
   EXPECT_LT((sides.size_m - Vector3d(1.2, 0.7, 0.5)).cwiseAbs().maxCoeff(), 0.05);
 }
 

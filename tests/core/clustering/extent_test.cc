@@ -37,20 +37,20 @@ Eigen::Matrix3d Turned() { return ExpSo3({0.3, 0.5, -0.2}).toRotationMatrix(); }
 TEST(ExtentAlong, IsTwoFifthsOfTheHalfSizeOfASolid) {
   Rng rng(1, "extent");
   const Eigen::Vector3d half_size_m(2.0, 1.0, 0.5);
-  const PointExtent extent = ExtentAlong(Turned(), Solid(half_size_m, Turned(), 20000, rng), {});
+  const PointExtent extent = ExtentAlong(Turned(), Solid(half_size_m, Turned(), 20000, rng));
   EXPECT_TRUE(extent.half_size_m.isApprox(0.4 * half_size_m, 0.02)) << extent.half_size_m;
   EXPECT_LT((extent.center - kCenter).norm(), 0.04);
 }
 
 TEST(ExtentAlong, NeedsAPoint) {
-  EXPECT_THAT(ErrorMessage([] { ExtentAlong(Eigen::Matrix3d::Identity(), {}, {}); }),
+  EXPECT_THAT(ErrorMessage([] { ExtentAlong(Eigen::Matrix3d::Identity(), {}); }),
               HasSubstr("no points"));
-  EXPECT_THAT(ErrorMessage([] { PrincipalAxes({}, {}); }), HasSubstr("no points"));
+  EXPECT_THAT(ErrorMessage([] { PrincipalAxes({}); }), HasSubstr("no points"));
 }
 
 TEST(PrincipalAxes, AgreeWithTheAxesOfTheBody) {
   Rng rng(3, "extent");
-  const RigidTransform frame = PrincipalAxes(Solid({2.0, 1.0, 0.5}, Turned(), 2000, rng), {});
+  const RigidTransform frame = PrincipalAxes(Solid({2.0, 1.0, 0.5}, Turned(), 2000, rng));
   EXPECT_LT((frame.translation() - kCenter).norm(), 0.15);
   const Eigen::Matrix3d axes = frame.RotationMatrix();
   EXPECT_NEAR(axes.determinant(), 1.0, 1e-9);
@@ -62,11 +62,11 @@ TEST(PrincipalAxes, AgreeWithTheAxesOfTheBody) {
 TEST(PrincipalAxes, DoNotDependOnPointOrderOrReflection) {
   Rng rng(4, "extent");
   const Eigen::Matrix3Xd points = Solid({2.0, 1.0, 0.5}, Turned(), 200, rng);
-  const RigidTransform frame = PrincipalAxes(points, {});
-  const RigidTransform reversed = PrincipalAxes(points.rowwise().reverse(), {});
+  const RigidTransform frame = PrincipalAxes(points);
+  const RigidTransform reversed = PrincipalAxes(points.rowwise().reverse());
   EXPECT_LT(frame.Minus(reversed).norm(), 1e-9);
   // Point reflection preserves the axes of the body; the largest component of each is positive.
-  const RigidTransform mirrored = PrincipalAxes(-points, {});
+  const RigidTransform mirrored = PrincipalAxes(-points);
   EXPECT_TRUE(mirrored.RotationMatrix().isApprox(frame.RotationMatrix(), 1e-9));
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector3d direction = frame.RotationMatrix().col(axis);
@@ -77,7 +77,7 @@ TEST(PrincipalAxes, DoNotDependOnPointOrderOrReflection) {
 TEST(PrincipalAxes, FallBackToTheCameraForAmbiguousShapes) {
   Rng rng(6, "extent");
   const auto angle = [](const Eigen::Matrix3Xd& points) {
-    return RotationAngle(PrincipalAxes(points, {}).rotation());
+    return RotationAngle(PrincipalAxes(points).rotation());
   };
   EXPECT_EQ(angle(Solid(Eigen::Vector3d::Ones(), Turned(), 500, rng)), 0.0);
   EXPECT_EQ(angle(Solid({2.0, 0.5, 0.5}, Turned(), 500, rng)), 0.0);
@@ -103,9 +103,8 @@ std::vector<int> FirstIndices(int count) {
   return indices;
 }
 
-std::vector<int> Nearest(const std::vector<double>& depths_m, double angular_size,
-                         const ExtentOptions& options) {
-  const auto modes = DepthModes(depths_m, angular_size, options);
+std::vector<int> Nearest(const std::vector<double>& depths_m, double angular_size) {
+  const auto modes = DepthModes(depths_m, angular_size);
   return modes.empty() ? std::vector<int>() : modes.front();
 }
 
@@ -114,30 +113,29 @@ constexpr double kCarAngle = 0.15;  // 3 m at 20 m
 TEST(DepthModes, IgnoresAFewNearerPoints) {
   const std::vector<double> near = {5.0, 5.1, 5.2, 9.0, 14.0};
   std::vector<int> car = FirstIndices(20);
-  EXPECT_EQ(Nearest(Joined(Joined(Spread(19, 21, 20), Spread(30, 40, 20)), near), kCarAngle, {}),
-            car);
+  EXPECT_EQ(Nearest(Joined(Joined(Spread(19, 21, 20), Spread(30, 40, 20)), near), kCarAngle), car);
 }
 
 TEST(DepthModes, ExtendFromTheirPeakNotFromAStrayPoint) {
   // Isolated points lie in front of the car and between the car and a wall.
   const std::vector<double> links = {17.9, 22, 23, 24, 25, 26, 27};
   const std::vector<double> depths = Joined(Joined(Spread(19, 21, 20), links), Spread(28, 29, 20));
-  EXPECT_EQ(Nearest(depths, kCarAngle, {}), FirstIndices(20));
+  EXPECT_EQ(Nearest(depths, kCarAngle), FirstIndices(20));
 }
 
 TEST(DepthModes, WideBodiesMayBeDeep) {
   // A lorry that fills half the image is one body; at a smaller angular size, the same depths are
   // two bodies.
   const std::vector<double> depths = Joined(Spread(12, 15, 15), Spread(17.5, 21, 15));
-  EXPECT_EQ(Nearest(depths, 0.7, {}), FirstIndices(30));
-  EXPECT_EQ(Nearest(depths, 0.1, {}), FirstIndices(15));
+  EXPECT_EQ(Nearest(depths, 0.7), FirstIndices(30));
+  EXPECT_EQ(Nearest(depths, 0.1), FirstIndices(15));
 }
 
 TEST(DepthModes, IsEmptyWithTooFewPoints) {
-  EXPECT_THAT(Nearest({}, kCarAngle, {}), IsEmpty());
-  EXPECT_THAT(Nearest(Spread(19, 21, 4), kCarAngle, {}), IsEmpty());
+  EXPECT_THAT(Nearest({}, kCarAngle), IsEmpty());
+  EXPECT_THAT(Nearest(Spread(19, 21, 4), kCarAngle), IsEmpty());
   // Scattered points do not form a body.
-  EXPECT_THAT(Nearest({1, 2, 4, 8, 16, 32, 64}, kCarAngle, {}), IsEmpty());
+  EXPECT_THAT(Nearest({1, 2, 4, 8, 16, 32, 64}, kCarAngle), IsEmpty());
 }
 
 // Depths with stereo noise, as of cars seen from behind and of furniture in front of a wall.
@@ -152,7 +150,7 @@ TEST(DepthModes, FindsTheForegroundInNoise) {
         const double depth = i < 15 ? z * rng.Uniform(0.95, 1.05) : z * rng.Uniform(1.35, 2.5);
         depths.push_back(350.0 / (350.0 / depth + 0.3 * rng.Normal()));
       }
-      for (const int i : Nearest(depths, 0.12, {})) (i < 15 ? found : wrong) += 1.0;
+      for (const int i : Nearest(depths, 0.12)) (i < 15 ? found : wrong) += 1.0;
     }
     EXPECT_GT(found / 1500.0, 0.9) << z;
     EXPECT_LT(wrong / found, 0.03) << z;
@@ -181,7 +179,7 @@ std::vector<ClusterId> Match(std::initializer_list<Group> groups) {
     label_of_node.insert(label_of_node.end(), group.count, group.label);
     previous_of_node.insert(previous_of_node.end(), group.count, group.previous);
   }
-  return MatchLabels(labels, {label_of_node, previous_of_node}, {});
+  return MatchLabels(labels, {label_of_node, previous_of_node});
 }
 
 std::vector<ClusterId> Expect(ClusterId first_box, ClusterId second_box) {

@@ -309,17 +309,15 @@ TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
 
 TEST(UpdateExtent, SpansTheCentralLandmarks) {
   Cluster cluster;
-  UpdateExtent({}, cluster);
+  UpdateExtent(cluster);
   EXPECT_TRUE(cluster.half_size_m.isZero());
   for (int i = 0; i <= 100; ++i) {
     cluster.landmarks.push_back(MakeLandmark(i, {0}));
     cluster.landmarks.back().p_in_object = {0.01 * i, 1.0, -0.02 * i};
   }
-  UpdateExtent({}, cluster);
+  UpdateExtent(cluster);
   EXPECT_LT((cluster.center_in_object - Eigen::Vector3d(0.5, 1.0, -1.0)).norm(), 1e-9);
-  EXPECT_LT(
-      (cluster.half_size_m - Eigen::Vector3d(0.2, ExtentOptions().min_half_size_m, 0.4)).norm(),
-      1e-9);
+  EXPECT_LT((cluster.half_size_m - Eigen::Vector3d(0.2, kMinHalfSize_m, 0.4)).norm(), 1e-9);
 }
 
 constexpr std::int64_t kFrames = 5;

@@ -110,7 +110,6 @@ TEST(ExtractOrb, ReserveGoesToRegions) {
 TEST(LeftRegions, AreTheNewestBoxesAndOlderOnesNotDetectedAgain) {
   OrbOptions orb;
   orb.box_features = 40;
-  orb.reserve_frames = 3;
   const std::vector<std::vector<cv::Rect2d>> boxes{
       {{400.0, 100.0, 20.0, 20.0}},                              // too old
       {{300.0, 100.0, 50.0, 40.0}, {100.0, 100.0, 20.0, 10.0}},  // the first is detected again

@@ -79,7 +79,7 @@ int NewBodiesInside(const std::string& category, double depth_m, double part_sha
                               (part.top_px + 12.0 * (i / 6) - 240.0) / 450.0, 1.0);
     m.Add(depth_m * ray, kNoOwner, -1, kNone);
   }
-  m.options.extent.part_share = part_share;
+  m.options.clusters.part_share = part_share;
   const CrfScene scene = m.With([&](const FrameView& view) {
     return BuildCrfScene(view, kNearest, m.window, m.map, m.tracks, m.points);
   });
@@ -95,10 +95,9 @@ TEST(BuildCrfScene, ABoxInsideThatOfAClusterIsAPartOfIt) {
 
 TEST(NewBodyPolicies, TakeTheNearestDepthsOrAllOfThem) {
   const std::vector<double> depths_m = {2.0, 2.01, 2.02, 2.0, 2.01, 9.0, 9.1};
-  EXPECT_THAT(BodiesByDepth::Candidates(depths_m, 0.2, {}),
-              ElementsAre(ElementsAre(0, 1, 2, 3, 4)));
-  EXPECT_THAT(BodiesOfAllPoints::Candidates(depths_m, 0.2, {}), ElementsAre(SizeIs(7)));
-  EXPECT_THAT(BodiesOfAllPoints::Candidates({2.0, 2.0, 2.0, 2.0}, 0.2, {}), IsEmpty());
+  EXPECT_THAT(BodiesByDepth::Candidates(depths_m, 0.2), ElementsAre(ElementsAre(0, 1, 2, 3, 4)));
+  EXPECT_THAT(BodiesOfAllPoints::Candidates(depths_m, 0.2), ElementsAre(SizeIs(7)));
+  EXPECT_THAT(BodiesOfAllPoints::Candidates({2.0, 2.0, 2.0, 2.0}, 0.2), IsEmpty());
 }
 
 // Two clusters exchange their labels, and the label of a third starts a new cluster.

@@ -103,7 +103,7 @@ TEST(RemoveUnconfirmed, DropsLandmarksSeenOnceLongAgo) {
     landmarks[i].last_seen = FrameId{i == 0 ? 8 : 7};
   }
   landmarks[3].past_information.setIdentity();
-  RemoveUnconfirmed(FrameId{10}, 3, landmarks);
+  RemoveUnconfirmed(FrameId{10}, landmarks);
   ASSERT_THAT(landmarks, SizeIs(3));
   EXPECT_EQ(landmarks[0].id, LandmarkId{0});
   EXPECT_EQ(landmarks[1].id, LandmarkId{2});
