@@ -31,8 +31,9 @@ struct Rung {
 // Full: all.h asserts this for the axes, a test for the options.
 inline constexpr Rung kLadder[] = {
     {"boxes",
-     "bounded weights of landmarks in boxes, a share of each box for every cluster, no boxes of "
-     "another class"},
+     "bounded weights of landmarks in boxes, a share of each box for every cluster, no votes for "
+     "boxes of another class, no limit of the entropy",
+     Default<&Options::association, &ClusterAssociationOptions::max_entropy>},
     {"left_image", "landmarks of bodies are also found if only the left image shows them",
      Default<&Options::association, &ClusterAssociationOptions::left_only>},
     {"missed_detections", "a missed detection is no evidence against a cluster",

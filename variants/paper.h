@@ -34,6 +34,7 @@ struct Paper {
   // Sets the values that the paper prints and, for options that it does not have, those that switch
   // our additions off.
   static void SetDefaults(Options& options) {
+    options.association.max_entropy = 1.0;
     options.association.left_only = false;
     options.clusters.trace_states = 0;
     options.unary.undetected_reach = 0.0;

@@ -20,7 +20,7 @@ struct ClusterAssociationOptions {
   double max_radius_px = 60.0;
   int max_hamming = 75;
   double ratio = 0.9;
-  double max_entropy = 1.0;
+  double max_entropy = 20.0;
   int min_rematch = 7;
   bool left_only = true;
 
@@ -42,8 +42,8 @@ struct ClusterAssociationOptions {
         "max_entropy", self.max_entropy,
         {"bit", 0, 20,
          "maximum entropy of a cluster's distribution over boxes for the cluster to be assigned to "
-         "one",
-         "paper, section 3.1"});
+         "one; 20: no limit",
+         "METHOD.md 4.5; 1 in the paper"});
     visit.Field(
         "min_rematch", self.min_rematch,
         {"landmarks", 3, 1000,

@@ -45,17 +45,15 @@ namespace {
 // checks it).
 constexpr int kSettledStates = 3;
 
-// Frames without any of its landmarks after which four matches may be of something else.
-constexpr int kSurelyThere = 2;
-
-// Whether the pose shows the cluster: after a gap, a few matches must agree with the prediction
-// (METHOD.md 4.4).
+// Whether the pose shows the cluster: after a gap, a few inliers must be at least half of the
+// matches and agree with the prediction (METHOD.md 4.4).
 bool IsFound(const FrameView& view, FrameId newest, const Cluster& cluster,
              const PredictedCluster& predicted, const CameraSolution& solution) {
   FrameId seen;
   for (const Landmark& landmark : cluster.landmarks) seen = std::max(seen, landmark.last_seen);
-  return newest.value - seen.value <= kSurelyThere ||
-         solution.inliers >= view.options.association.min_rematch ||
+  const bool is_gap = newest.value - seen.value > 1;
+  if (!is_gap || solution.inliers >= view.options.association.min_rematch) return true;
+  return 2 * solution.inliers >= static_cast<int>(solution.is_inlier.size()) &&
          AgreesWithPrediction(predicted,
                               view.world_from_camera * solution.world_from_camera.Inverse(),
                               view.options.noise.gate);
@@ -106,14 +104,14 @@ void ChooseBoxes(const FrameView& view, const AssociationSteps& steps, const Clu
   const std::span<const Detection> detections = view.shown.detections;
   const std::span<const BodyId> given = view.shown.detection_body;
   const int count = static_cast<int>(detections.size());
-  std::vector<ImageBox> boxes;
-  for (const Detection& detection : detections) boxes.push_back(detection.box);
   std::vector<BoxProbabilities> probabilities;
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    probabilities.push_back(steps.weigh(MembersOf(view, map.live[q], tracks[q]), boxes));
-    for (int m = 0; steps.compares_classes && m < count; ++m) {
-      if (detections[m].category != map.live[q].category) probabilities[q].probability[m] = 0.0;
+    std::vector<ImageBox> boxes;  // one of another class contains nothing
+    for (const Detection& detection : detections) {
+      const bool may_be = !steps.compares_classes || detection.category == map.live[q].category;
+      boxes.push_back(may_be ? detection.box : ImageBox{0.0, 0.0, -1.0, -1.0});
     }
+    probabilities.push_back(steps.weigh(MembersOf(view, map.live[q], tracks[q]), boxes));
   }
   const std::vector<int> chosen =
       AssociateBoxes(probabilities, count, view.options.association, steps.box_cost);

@@ -109,7 +109,9 @@ std::optional<RigidTransform> AlignLandmarks(int min_pairs, const Cluster& lost,
     from.col(column) = found.landmarks[matches[i].feature].p_in_object;
     to.col(column) = lost.landmarks[matches[i].landmark].p_in_object;
   }
-  return AlignPointsRansac(from, to, PointDeviation_m(found), min_pairs, kRansacIterations, rng);
+  const int most = static_cast<int>(matches.size()) / 2 + 1;
+  return AlignPointsRansac(from, to, PointDeviation_m(found), std::max(min_pairs, most),
+                           kRansacIterations, rng);
 }
 
 void Inherit(const Cluster& lost, const RigidTransform& lost_from_found, ClusterMap& map,

@@ -181,6 +181,16 @@ TEST(InheritLostIdentity, RefusesLandmarksThatDoNotFormTheBody) {
   EXPECT_EQ(r.Found(), 2);
 }
 
+TEST(InheritLostIdentity, NeedsMoreThanHalfOfTheSimilarLandmarks) {
+  const auto id_with_wrong = [](int wrong) {
+    Return r(16);
+    for (int i = 0; i < wrong; ++i) r.map.archived[0].landmarks[i].p_in_object.x() += 1.0 + i;
+    return r.Found();
+  };
+  EXPECT_EQ(id_with_wrong(7), 1);
+  EXPECT_EQ(id_with_wrong(8), 2);
+}
+
 TEST(InheritLostIdentity, RefusesABodyThatCannotHaveMovedThere) {
   Return r;
   r.off_m = 0.5;

@@ -212,20 +212,25 @@ TEST(PredictedCluster, AgreesUpToTheGateInPositionAndInOrientation) {
   EXPECT_FALSE(agrees(0.0, 0.61));
 }
 
-// Whether a cluster with so many landmarks, last seen so many frames ago, is found in a frame that
-// shows them turned by the angle.
-bool IsFoundTurned(int landmarks, int frames_ago, double turned_rad) {
-  const Options options;
+// The track of a cluster with so many landmarks, last seen so many frames ago, in a frame that
+// shows them turned by the angle, and so many others anywhere.
+ClusterTrack TrackTurned(int landmarks, int frames_ago, double turned_rad, int wrong = 0,
+                         const std::vector<Detection>& detections = {}) {
+  Options options;
+  options.association.max_entropy = 1.0;
   StereoFrame frame;
   Cluster cluster;
+  cluster.category = "tower";
   cluster.states = {StateAt(10, At(0, 0, 5))};
-  for (int i = 0; i < landmarks; ++i) {
+  for (int i = 0; i < landmarks + wrong; ++i) {
     cluster.landmarks.push_back(MakeLandmark(i, {10}));
     Landmark& landmark = cluster.landmarks.back();
     landmark.p_in_object = {0.3 * std::cos(i), 0.3 * std::sin(i), 0.1 * (i % 3)};
     landmark.depth_m = 5.0;
+    const bool is_wrong = i >= landmarks;
     StereoFeature feature;
-    feature.z_px = *kCamera.Project(At(0, 0, 5, turned_rad) * landmark.p_in_object);
+    feature.z_px =
+        *kCamera.Project(At(is_wrong ? 0.2 * i : 0.0, 0, 5, turned_rad) * landmark.p_in_object);
     frame.features.push_back(feature);
   }
   ClusterMap map;
@@ -244,18 +249,43 @@ bool IsFoundTurned(int landmarks, int frames_ago, double turned_rad) {
   TakenFeatures taken(frame.features.size(), 0);
   Rng rng(1, "test");
   const auto tracks = AssociateClusters(
-      {frame, {}, grid, kCamera, {}, options}, FrameId{10 + frames_ago},
+      {frame, {detections, {}, {}}, grid, kCamera, {}, options}, FrameId{10 + frames_ago},
       {kMatchInOrder, &BoundedBoxes::Compute, &BoundedBoxes::Cost, true, &NoBoxRematch::Rematch},
       predict, map, rng, taken);
-  return tracks[0].is_tracked;
+  return tracks[0];
+}
+
+bool IsFoundTurned(int landmarks, int frames_ago, double turned_rad, int wrong = 0) {
+  return TrackTurned(landmarks, frames_ago, turned_rad, wrong).is_tracked;
 }
 
 TEST(AssociateClusters, FewMatchesAfterAGapMustAgreeWithThePrediction) {
   const int many = ClusterAssociationOptions().min_rematch;
-  EXPECT_TRUE(IsFoundTurned(many - 1, 3, 0.1));
-  EXPECT_FALSE(IsFoundTurned(many - 1, 3, 0.5));
-  EXPECT_TRUE(IsFoundTurned(many - 1, 2, 0.5));
-  EXPECT_TRUE(IsFoundTurned(many, 3, 0.5));
+  EXPECT_TRUE(IsFoundTurned(many - 1, 2, 0.1));
+  EXPECT_FALSE(IsFoundTurned(many - 1, 2, 0.5));
+  EXPECT_TRUE(IsFoundTurned(many - 1, 1, 0.5));
+  EXPECT_TRUE(IsFoundTurned(many, 2, 0.5));
+}
+
+TEST(AssociateClusters, FewMatchesAfterAGapMustBeHalfOfAll) {
+  const int many = ClusterAssociationOptions().min_rematch;
+  EXPECT_TRUE(IsFoundTurned(many - 1, 2, 0.1, many - 1));
+  EXPECT_FALSE(IsFoundTurned(many - 1, 2, 0.1, many));
+  EXPECT_TRUE(IsFoundTurned(many - 1, 1, 0.1, many));
+  EXPECT_TRUE(IsFoundTurned(many, 2, 0.1, many + 2));
+}
+
+TEST(AssociateClusters, BoxesOfOtherClassesTakeNoVotes) {
+  const auto box_among = [](const std::vector<std::string>& categories) {
+    std::vector<Detection> detections;
+    for (const std::string& category : categories) {
+      detections.push_back({{270.0, 190.0, 370.0, 290.0}, category, 1.0});
+    }
+    return TrackTurned(20, 1, 0.0, 0, detections).detection;
+  };
+  EXPECT_EQ(box_among({"chair", "tower", "chair"}), 1);
+  EXPECT_EQ(box_among({"tower", "tower", "tower"}), -1) << "undecided";
+  EXPECT_EQ(box_among({"chair"}), -1);
 }
 
 TEST(RematchInBox, AClusterThatIsNotFoundKeepsItsBoxWhileItsPlaceIsKnown) {
