@@ -67,7 +67,8 @@ void AffinityTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& op
 
 namespace {
 
-// Which labels C holds for a landmark in no detection.
+// What C holds beside the labels whose detections contain the landmark: nothing; for a landmark in
+// no detection, the static scene; for any landmark, also the undetected clusters expected there.
 enum class Undetected { kNone, kStatic, kStaticAndPredicted };
 
 void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, Undetected undetected,
@@ -79,10 +80,9 @@ void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, Undetected 
     };
     const bool is_detected = std::ranges::any_of(scene.labels, contains, &CrfLabel::box);
     const auto is_candidate = [&](const CrfLabel& label) {
-      if (is_detected) return contains(label.box);
-      if (undetected == Undetected::kNone) return false;
-      return label.kind == LabelKind::kStatic ||
-             (undetected == Undetected::kStaticAndPredicted && contains(label.predicted_box));
+      if (contains(label.box)) return true;
+      if (label.kind == LabelKind::kStatic) return !is_detected && undetected != Undetected::kNone;
+      return undetected == Undetected::kStaticAndPredicted && contains(label.predicted_box);
     };
     const double count =
         static_cast<double>(std::ranges::count_if(scene.labels, is_candidate));  // |C|

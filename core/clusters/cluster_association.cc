@@ -40,10 +40,9 @@ std::vector<Match> FindLandmarks(const FrameView& view, LandmarkSearch& find,
 
 namespace {
 
-// Number of states below which a pose is estimated by RANSAC instead of from the prediction:
-// without a velocity, the first matches may all be wrong (two states give a velocity, the third
-// checks it).
-constexpr int kSettledStates = 3;
+// Whether the cluster's motion is known: two states give a velocity, the third checks it. Until
+// then, a pose is estimated by RANSAC instead of from the prediction.
+bool IsSettled(const Cluster& cluster) { return cluster.states.size() >= 3; }
 
 // Whether the pose shows the cluster: after a gap, a few inliers must be at least half of the
 // matches and agree with the prediction (METHOD.md 4.4).
@@ -72,9 +71,8 @@ void TrackClusters(const FrameView& view, FrameId newest, const ClusterMap& map,
     by_cluster[from.cluster].push_back({from.landmark, match.feature, match.hamming});
   }
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    const bool is_settled = static_cast<int>(map.live[q].states.size()) >= kSettledStates;
     const auto solution = SolvePose(view, map.live[q], tracks[q].world_from_object, by_cluster[q],
-                                    view.options.clusters.min_tracked, is_settled, rng);
+                                    view.options.clusters.min_tracked, IsSettled(map.live[q]), rng);
     if (solution && IsFound(view, newest, map.live[q], tracks[q].predicted, *solution)) {
       AcceptPose(view, by_cluster[q], *solution, taken, tracks[q]);
     }
@@ -195,9 +193,9 @@ void RematchInBox::Rematch(const FrameView& view, const ClusterMap& map, Rng& rn
                            TakenFeatures& taken, std::vector<ClusterTrack>& tracks) {
   RematchAssociated(view, map, rng, taken, tracks);
   for (std::size_t q = 0; q < tracks.size(); ++q) {
-    const bool is_placed =
-        std::sqrt(tracks[q].predicted.translation_variance_m2) < PointDeviation_m(map.live[q]);
-    tracks[q].is_tracked |= tracks[q].detection >= 0 && is_placed;
+    const double deviation_m = std::sqrt(tracks[q].predicted.translation_variance_m2);
+    const bool stays = !IsSettled(map.live[q]) || deviation_m < PointDeviation_m(map.live[q]);
+    tracks[q].is_tracked |= tracks[q].detection >= 0 && stays;
   }
   NoBoxRematch::Rematch(view, map, rng, taken, tracks);
 }

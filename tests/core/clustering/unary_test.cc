@@ -89,7 +89,9 @@ TEST(Box2dTerm, SharesProbabilityAmongTheBoxesThatContainTheLandmark) {
   EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(120, 150)), Near(kInLeft));
   EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(170, 150)), Near(kInBoth));
   EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(500, 150)), Near(kOutside));
-  // The body shares a predicted box with the static scene.
+  // A missed body shares its predicted box with the static scene, or with what is detected there.
+  EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(220, 180)),
+              Near({0.05 / 3, 0.05 / 3, 0.475, 0.475, 0.05 / 3}));
   EXPECT_THAT(Probabilities<Box2dTerm>(scene, NodeSeenAt(390, 290)),
               Near({0.475, 0.05 / 3, 0.05 / 3, 0.475, 0.05 / 3}));
   EXPECT_THAT(Probabilities<DetectedBox2dTerm>(scene, NodeSeenAt(390, 290)), Near(kOutside));

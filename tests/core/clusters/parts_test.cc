@@ -287,7 +287,7 @@ TEST(AssociateClusters, BoxesOfOtherClassesTakeNoVotes) {
   EXPECT_EQ(box_among({"chair"}), -1);
 }
 
-TEST(RematchInBox, AClusterThatIsNotFoundKeepsItsBoxWhileItsPlaceIsKnown) {
+TEST(RematchInBox, AClusterThatIsNotFoundKeepsItsBoxWhileItIsNewOrItsPlaceIsKnown) {
   const Options options;
   const StereoFrame frame;
   const FeatureGrid grid({}, kCamera);
@@ -299,7 +299,8 @@ TEST(RematchInBox, AClusterThatIsNotFoundKeepsItsBoxWhileItsPlaceIsKnown) {
   map.live[0].half_size_m = {0.1, 0.25, 0.2};
   TakenFeatures taken;
   Rng rng(1, "test");
-  const auto keeps = [&](double deviation_m) {
+  const auto keeps = [&](double deviation_m, std::size_t states = 3) {
+    map.live[0].states.resize(states);
     std::vector<ClusterTrack> tracks(1);
     tracks[0].detection = 0;
     tracks[0].predicted.translation_variance_m2 = deviation_m * deviation_m;
@@ -309,6 +310,7 @@ TEST(RematchInBox, AClusterThatIsNotFoundKeepsItsBoxWhileItsPlaceIsKnown) {
   };
   EXPECT_TRUE(keeps(0.099));
   EXPECT_FALSE(keeps(0.101));
+  EXPECT_TRUE(keeps(0.101, 2));
 }
 
 TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
