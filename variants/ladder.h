@@ -76,8 +76,7 @@ inline constexpr Rung kLadder[] = {
      Default<&Options::clusters, &ClusterOptions::trace_states>},
     {"identity",
      "a cluster that is not found keeps its box only while it is new or its prediction is good; a "
-     "new "
-     "cluster that shares landmarks with a lost one takes over its id and its body frame"}};
+     "new cluster that shares landmarks with a lost one takes over its id and its body frame"}};
 inline constexpr std::size_t kRungs = std::size(kLadder);
 inline constexpr std::uint32_t kAllRungs = (1U << kRungs) - 1U;
 

@@ -67,11 +67,11 @@ void AffinityTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& op
 
 namespace {
 
-// What C holds beside the labels whose detections contain the landmark: nothing; for a landmark in
-// no detection, the static scene; for any landmark, also the undetected clusters expected there.
-enum class Undetected { kNone, kStatic, kStaticAndPredicted };
+// The set C of a landmark: the labels whose detections contain it; also the static scene, if none
+// does; also the undetected clusters expected there.
+enum class Candidates { kDetected, kOrStatic, kOrPredicted };
 
-void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, Undetected undetected,
+void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, Candidates candidates,
                  EnergyMatrix& energies) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Eigen::Vector3d& z_px = scene.nodes[i].z_px;
@@ -81,8 +81,9 @@ void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, Undetected 
     const bool is_detected = std::ranges::any_of(scene.labels, contains, &CrfLabel::box);
     const auto is_candidate = [&](const CrfLabel& label) {
       if (contains(label.box)) return true;
-      if (label.kind == LabelKind::kStatic) return !is_detected && undetected != Undetected::kNone;
-      return undetected == Undetected::kStaticAndPredicted && contains(label.predicted_box);
+      if (label.kind == LabelKind::kStatic)
+        return !is_detected && candidates != Candidates::kDetected;
+      return candidates == Candidates::kOrPredicted && contains(label.predicted_box);
     };
     const double count =
         static_cast<double>(std::ranges::count_if(scene.labels, is_candidate));  // |C|
@@ -100,17 +101,17 @@ void BoxEnergies(const CrfScene& scene, const UnaryOptions& options, Undetected 
 
 void Box2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                          EnergyMatrix& energies) {
-  BoxEnergies(scene, options, Undetected::kStaticAndPredicted, energies);
+  BoxEnergies(scene, options, Candidates::kOrPredicted, energies);
 }
 
 void DetectedBox2dTerm::Energies(const CrfScene& scene, const UnaryOptions& options,
                                  EnergyMatrix& energies) {
-  BoxEnergies(scene, options, Undetected::kStatic, energies);
+  BoxEnergies(scene, options, Candidates::kOrStatic, energies);
 }
 
 void Box2dTermLiteral::Energies(const CrfScene& scene, const UnaryOptions& options,
                                 EnergyMatrix& energies) {
-  BoxEnergies(scene, options, Undetected::kNone, energies);
+  BoxEnergies(scene, options, Candidates::kDetected, energies);
 }
 
 namespace {

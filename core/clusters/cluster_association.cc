@@ -41,7 +41,8 @@ std::vector<Match> FindLandmarks(const FrameView& view, LandmarkSearch& find,
 namespace {
 
 // Whether the cluster's motion is known: two states give a velocity, the third checks it. Until
-// then, a pose is estimated by RANSAC instead of from the prediction.
+// then, the first matches may all be wrong: a pose is estimated by RANSAC instead of from the
+// prediction.
 bool IsSettled(const Cluster& cluster) { return cluster.states.size() >= 3; }
 
 // Whether the pose shows the cluster: after a gap, a few inliers must be at least half of the
@@ -52,7 +53,7 @@ bool IsFound(const FrameView& view, FrameId newest, const Cluster& cluster,
   for (const Landmark& landmark : cluster.landmarks) seen = std::max(seen, landmark.last_seen);
   const bool is_gap = newest.value - seen.value > 1;
   if (!is_gap || solution.inliers >= view.options.association.min_rematch) return true;
-  return 2 * solution.inliers >= static_cast<int>(solution.is_inlier.size()) &&
+  return solution.HalfAgrees() &&
          AgreesWithPrediction(predicted,
                               view.world_from_camera * solution.world_from_camera.Inverse(),
                               view.options.noise.gate);

@@ -28,8 +28,7 @@ std::optional<CameraSolution> SolvePose(const FrameView& view, const Cluster& cl
     const RigidTransform object_from_camera = world_from_object.Inverse() * view.world_from_camera;
     CameraSolution solution =
         SolveCamera(view.camera, measurements, object_from_camera, view.options.noise);
-    if (solution.inliers >= min_inliers && 2 * solution.inliers >= static_cast<int>(matches.size()))
-      return solution;
+    if (solution.inliers >= min_inliers && solution.HalfAgrees()) return solution;
   }
   return SolveCameraRansac(view.camera, measurements, view.options.noise, {}, kRansacIterations,
                            min_inliers, rng);

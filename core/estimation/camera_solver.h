@@ -31,6 +31,8 @@ struct CameraSolution {
   RigidTransform world_from_camera;
   std::vector<char> is_inlier;  // per measurement: squared whitened error within the gate
   int inliers = 0;
+
+  bool HalfAgrees() const { return 2 * inliers >= static_cast<int>(is_inlier.size()); }
 };
 
 // Minimises sum rho(||z - pi(camera_from_world p)||^2) over the camera pose, with the points held

@@ -93,8 +93,8 @@ struct OpenBox {
 };
 
 // Minimum image area covered by the foreground of a new box, as a fraction of the area covered by
-// the most widely spread depth range; less is taken for part of something in front; 0: always the
-// nearest range (chosen from 0, 0.3 and 0.5 on development rooms).
+// the most widely spread depth range; less is taken for part of something in front (chosen
+// from 0, 0.3 and 0.5 on development rooms).
 constexpr double kMinFill = 0.5;
 
 // How much of the box the points (at least one) are spread over: intersection over union of the
