@@ -88,8 +88,7 @@ std::string NoticedText(const Baseline& baseline) {
                     FormatGeneral(comparison.baseline, 4)});
   }
   return "smallest change for the worse on every scene that a check on another platform notices, "
-         "of "
-         "the variant that needs most:\n" +
+         "of the variant that needs most:\n" +
          BelowHeader(rows);
 }
 

@@ -89,8 +89,7 @@ void AddStatistics(const Table& table, Lines& lines) {
   lines.emplace_back(
       "differences are over what both rows have: errors of bodies that both estimate (object ATE: "
       "in the frames that both estimate), otherwise all visible object-frames; metrics of runs "
-      "over "
-      "the same scenes and seeds");
+      "over the same scenes and seeds");
 }
 
 // Remarks about cells. Those that are the same for several rows are listed once.

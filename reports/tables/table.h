@@ -37,8 +37,7 @@ struct Column {
 // What the intervals of values and differences are, for notes and captions.
 inline constexpr char kIntervalMeaning[] =
     "95 %, bootstrap over scenes within their families, with seeds averaged; of a single scene "
-    "over "
-    "its bodies, which says nothing about other scenes, or from its least run to its largest";
+    "over its bodies, which says nothing about other scenes, or from its least run to its largest";
 
 // What a value is a mean over.
 struct Counts {
