@@ -41,8 +41,8 @@ const RowRuns* FindReference(const std::vector<RowRuns>& rows, const RowRuns& ro
 // of the rows.
 std::string FullReference(const SuitePlan& plan);
 
-// The keys that rows average over although the plan has several values of them, as "key: a, b".
-std::vector<std::string> PooledKeys(const std::vector<SuiteRun>& runs,
+// The keys that some row averages over several values of, as "key: a, b".
+std::vector<std::string> PooledKeys(const std::vector<RowRuns>& rows,
                                     const std::vector<std::string>& keys);
 
 // Inserts the coverage before each group of metrics that lacks it, since accuracy without coverage

@@ -135,18 +135,26 @@ std::string FullReference(const SuitePlan& plan) {
   return is_full ? plan.reference : "variant=" + plan.reference;
 }
 
-std::vector<std::string> PooledKeys(const std::vector<SuiteRun>& runs,
+std::vector<std::string> PooledKeys(const std::vector<RowRuns>& rows,
                                     const std::vector<std::string>& keys) {
-  std::map<std::string, std::vector<std::string>> pooled;
-  for (const SuiteRun& run : runs) {
-    for (const auto& [key, value] : run.planned.keys) {
-      if (key != "sequence" && !Contains(keys, key)) pooled[key];
+  std::set<std::string> others;
+  for (const RowRuns& row : rows) {
+    for (const SuiteRun* run : row.runs) {
+      for (const auto& [key, value] : run->planned.keys) {
+        if (key != "sequence" && !Contains(keys, key)) others.insert(key);
+      }
     }
   }
   std::vector<std::string> texts;
-  for (auto& [key, values] : pooled) {
-    for (const SuiteRun& run : runs) AddOnce(KeyOf(run.planned, key), values);
-    if (values.size() > 1) texts.push_back(key + ": " + Joined(values, ", "));
+  for (const std::string& key : others) {
+    std::vector<std::string> pooled;
+    for (const RowRuns& row : rows) {
+      std::vector<std::string> of_row;
+      for (const SuiteRun* run : row.runs) AddOnce(KeyOf(run->planned, key), of_row);
+      if (of_row.size() < 2) continue;
+      for (const std::string& value : of_row) AddOnce(value, pooled);
+    }
+    if (!pooled.empty()) texts.push_back(key + ": " + Joined(pooled, ", "));
   }
   return texts;
 }

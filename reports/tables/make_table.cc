@@ -184,11 +184,12 @@ void AddNotes(const std::vector<SuiteRun>& runs, Table& table) {
               table.notes);
     }
   }
-  for (const std::string& pooled : PooledKeys(runs, table.keys)) {
+  const std::vector<RowRuns> rows = GroupRuns(runs, table.keys);
+  for (const std::string& pooled : PooledKeys(rows, table.keys)) {
     table.notes.push_back("rows are means over " + pooled);
   }
   const bool by_sequence = FindBy(table.keys, std::identity(), std::string("sequence")) != nullptr;
-  CompareRows(GroupRuns(runs, table.keys), by_sequence, table);
+  CompareRows(rows, by_sequence, table);
   const std::size_t builds = table.provenance.builds.size();
   if (builds > 1) {
     table.notes.push_back(StrCat("results come from ", builds,

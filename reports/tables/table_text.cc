@@ -125,12 +125,6 @@ Cells ShortNotes(const Table& table, const TableTexts& texts) {
   return notes;
 }
 
-Cells HeaderOf(const TableTexts& texts) {
-  Cells header = texts.text_header;
-  header.insert(header.end(), texts.columns.begin(), texts.columns.end());
-  return header;
-}
-
 std::string Padded(const std::string& text, std::size_t width) {
   return std::string(width - std::min(width, Width(text)), ' ') + text;
 }
@@ -203,12 +197,6 @@ std::string LatexCell(const CellText& cell) {
   std::string text;
   for (const char c : cell.Shown()) text += c == '-' ? "$-$" : std::string(1, c);
   return text + (cell.distinguishable ? "\\rlap{$^{*}$}" : "");
-}
-
-std::string Comments(const std::vector<std::string>& lines) {
-  std::string latex;
-  for (const std::string& line : lines) latex += StrCat("% ", line, "\n");
-  return latex;
 }
 
 }  // namespace
@@ -364,14 +352,15 @@ std::string ShortMarkdown(const Table& table) {
 std::string TableLatex(const Table& table) {
   const TableTexts texts = MakeTexts(table);
   std::string latex =
-      StrCat(Comments({texts.title, "needs \\usepackage{booktabs}"}), "\\begin{tabular}{",
+      StrCat("% ", texts.title, "\n% needs \\usepackage{booktabs}\n\\begin{tabular}{",
              std::string(texts.text_header.size(), 'l'), std::string(texts.columns.size(), 'r'),
-             "}\n\\toprule\n", Joined(HeaderOf(texts), " & ", LatexEscaped), " \\\\\n\\midrule\n");
+             "}\n\\toprule\n", Joined(texts.text_header, " & ", LatexEscaped), " & ",
+             Joined(texts.columns, " & ", LatexEscaped), " \\\\\n\\midrule\n");
   for (const TextLine& line : texts.blocks[0].lines) {
     latex += StrCat(Joined(line.texts, " & ", LatexEscaped), " & ",
                     Joined(line.cells, " & ", LatexCell), " \\\\\n");
   }
-  return latex + "\\bottomrule\n\\end{tabular}\n" + Comments(texts.footnotes);
+  return latex + "\\bottomrule\n\\end{tabular}\n% " + Joined(texts.footnotes, "\n% ") + "\n";
 }
 
 }  // namespace cvo::reports

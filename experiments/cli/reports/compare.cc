@@ -57,25 +57,17 @@ reports::Table TableOfRuns(const std::vector<std::string>& folders) {
   plan.metrics.assign(kRunMetrics.begin(), kRunMetrics.end());
   plan.reference = names.front();
   std::set<std::string> jobs;
+  std::vector<reports::SuiteRun> results;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (!jobs.insert(runs[i].job).second) ThrowError(folders[i], "the same run twice", "each once");
     reports::PlannedRun& planned = plan.runs.emplace_back();
     planned.keys = {{"sequence", runs[i].sequence.name}, {"variant", names[i]}};
     planned.seed = runs[i].seed;
     if (runs[i].system) planned.system = names[i];
-  }
-  std::vector<reports::SuiteRun> results;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    results.push_back({plan.runs[i], runs[i].status, runs[i].message, "", std::nullopt});
+    results.push_back({planned, runs[i].status, runs[i].message, "", std::nullopt});
     if (runs[i].status != "failed") results.back().run = runs[i];
   }
   return reports::MakeTable(plan, results, fs::current_path(), {}, DefaultOptions());
-}
-
-int CompareRuns(const CompareFlags& flags) {
-  OutputTable(TableOfRuns(flags.folders), flags.format,
-              {flags.folders.begin(), flags.folders.end()});
-  return 0;
 }
 
 int CompareSuites(const CompareFlags& flags) {
@@ -105,7 +97,10 @@ int Compare(const CompareFlags& flags) {
     throw UsageError(StrCat(folder, ": found the folder of a ", suites ? "run" : "suite",
                             ", expected that of a ", suites ? "suite" : "run", ", as ", first));
   }
-  return suites ? CompareSuites(flags) : CompareRuns(flags);
+  if (suites) return CompareSuites(flags);
+  OutputTable(TableOfRuns(flags.folders), flags.format,
+              {flags.folders.begin(), flags.folders.end()});
+  return 0;
 }
 
 }  // namespace
@@ -174,8 +169,7 @@ int Check(const CheckFlags& flags) {
   if (!flags.junit.empty()) WriteOutputFile(flags.junit, reports::GateJunit(report), ReadBy(flags));
   if (!flags.markdown.empty())
     WriteOutputFile(flags.markdown, reports::GateMarkdown(report), ReadBy(flags));
-  std::cout << reports::GateText(report);
-  std::cout << '\n' << reports::GateVerdict(report) << '\n';
+  std::cout << reports::GateText(report) << '\n' << reports::GateVerdict(report) << '\n';
   return report.Failed() ? kRegressed : 0;
 }
 

@@ -3,6 +3,7 @@
 // clustervo eval boxes: scores boxes in KITTI's file formats as KITTI's benchmarks do.
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -21,8 +22,8 @@ namespace cvo {
 namespace {
 
 struct BoxFlags {
-  std::string labels;
-  std::string estimate;
+  std::vector<std::string> labels;  // of each sequence
+  std::vector<std::string> estimate;
   std::string frames;  // "A:B"; empty: all
   std::string score = "ap";
   std::string category = "Car";
@@ -36,6 +37,30 @@ template <typename Has>
 bool AnyDetection(const std::vector<ApFrame>& frames, const Has& has) {
   return std::ranges::any_of(
       frames, [&](const ApFrame& frame) { return std::ranges::any_of(frame.detections, has); });
+}
+
+// The frames of all sequences, whose tracks get numbers of their own.
+std::vector<ApFrame> ReadSequences(const BoxFlags& flags, const FrameRange& range) {
+  std::vector<ApFrame> all;
+  int tracks = 0;
+  for (std::size_t i = 0; i < flags.labels.size(); ++i) {
+    const int first = tracks;
+    for (ApFrame& frame :
+         ReadApFrames(flags.labels[i], flags.estimate[i], range, flags.score == "tracking")) {
+      for (const Boxes boxes : {&ApFrame::labels, &ApFrame::detections}) {
+        for (ObjectBox& box : frame.*boxes) {
+          if (box.track >= 0) box.track += first;
+          tracks = std::max(tracks, box.track + 1);
+        }
+      }
+      all.push_back(std::move(frame));
+    }
+  }
+  const auto has_score = [](const ObjectBox& box) { return box.score.has_value(); };
+  if (AnyDetection(all, has_score) && AnyDetection(all, std::not_fn(has_score))) {
+    ThrowError("--estimate", "scores in some files", "scores in all or in none");
+  }
+  return all;
 }
 
 // If there is no 3D box at all, the boxes come from a 2D detector and are only scored in the image;
@@ -54,17 +79,14 @@ std::string ClassesText(const std::vector<ApFrame>& frames, Boxes boxes) {
   for (const ApFrame& frame : frames) {
     for (const ObjectBox& box : frame.*boxes) ++counts[box.type];
   }
-  std::string text;
-  for (const auto& [type, count] : counts) {
-    text += StrCat(text.empty() ? "" : ", ", count, " ", type);
-  }
-  return text.empty() ? "none" : text;
+  const auto text = [](const auto& of_type) { return StrCat(of_type.second, " ", of_type.first); };
+  return counts.empty() ? "none" : Joined(counts, ", ", text);
 }
 
 // Without a label, no score tells anything.
 void RefuseNoLabel(const BoxFlags& flags, const std::vector<ApFrame>& frames, bool any) {
   if (any) return;
-  ThrowError(flags.labels, "labels: " + ClassesText(frames, &ApFrame::labels),
+  ThrowError(Joined(flags.labels, ", "), "labels: " + ClassesText(frames, &ApFrame::labels),
              StrCat("at least one of ", flags.category, " that the benchmark counts"));
 }
 
@@ -77,7 +99,7 @@ void PrintAveragePrecisions(const BoxFlags& flags, const std::vector<ApFrame>& f
   protocol.least_overlap = flags.least_overlap.value_or(flags.category == "Car" ? 0.7 : 0.5);
   protocol.truncation = *EnumOf<TruncationRule>(flags.truncation);
   TextTable table({"AP, percent", "points", "easy", "moderate", "hard"});
-  std::vector<std::string> counts;
+  std::vector<std::string> counts = {"labels", ""};
   bool few = false;
   for (const BoxSpace space : SpacesOf(frames)) {
     protocol.space = space;
@@ -90,8 +112,7 @@ void PrintAveragePrecisions(const BoxFlags& flags, const std::vector<ApFrame>& f
       }
       table.Add(std::move(row));
     }
-    if (!counts.empty()) continue;
-    counts = {"labels", ""};
+    if (counts.size() > 2) continue;
     for (const AveragePrecision& level : levels) {
       counts.push_back(std::to_string(level.valid_labels));
       few = few || level.valid_labels < static_cast<int>(kRecallSlots);
@@ -132,11 +153,12 @@ void PrintTrackingScores(const BoxFlags& flags, const std::vector<ApFrame>& fram
 
 int EvaluateBoxes(const BoxFlags& flags) {
   const FrameRange range = flags.frames.empty() ? FrameRange() : ParseFrameRange(flags.frames);
-  if (flags.score == "tracking" && std::filesystem::is_directory(flags.labels)) {
-    ThrowError(flags.labels, "a folder", "a file of KITTI tracking: object files have no tracks");
-  }
   const bool tracks = flags.score == "tracking";
-  const std::vector<ApFrame> frames = ReadApFrames(flags.labels, flags.estimate, range, tracks);
+  for (const std::string& labels : flags.labels) {
+    if (!tracks || !std::filesystem::is_directory(labels)) continue;
+    ThrowError(labels, "a folder", "a file of KITTI tracking: object files have no tracks");
+  }
+  const std::vector<ApFrame> frames = ReadSequences(flags, range);
   std::ostringstream scores;
   if (tracks) {
     PrintTrackingScores(flags, frames, scores);
@@ -159,10 +181,13 @@ Command AddEvalBoxesCommand(CLI::App& eval) {
       "boxes", "Score boxes by KITTI's average precision, or tracks by HOTA, CLEAR and IDF1");
   const auto flags = std::make_shared<BoxFlags>();
   const FlagAdder add{*app};
-  add("--labels", flags->labels, "FILE|FOLDER",
-      "labels: a file of KITTI tracking, or a folder of KITTI object files")
+  add("--labels", flags->labels, "FILE|FOLDER ...",
+      "labels: a file of KITTI tracking, or a folder of KITTI object files; of several sequences: "
+      "scores are over all of their frames")
       ->required();
-  add("--estimate", flags->estimate, "FILE|FOLDER", "boxes to score, of the same kind")->required();
+  add("--estimate", flags->estimate, "FILE|FOLDER ...",
+      "boxes to score, of the same kind and in the same order")
+      ->required();
   add("--frames", flags->frames, "A:B", "score frames A to B-1");
   add("--score", flags->score, "NAME",
       "ap (average precision), or tracking (HOTA, CLEAR and IDF1, as TrackEval does on KITTI)")
@@ -186,6 +211,10 @@ Command AddEvalBoxesCommand(CLI::App& eval) {
       "Example:\n"
       "  clustervo eval boxes --labels label_02/0003.txt --estimate tracks.kitti --iou 0.25");
   app->final_callback([app, flags] {
+    if (flags->labels.size() != flags->estimate.size()) {
+      throw UsageError(StrCat("--estimate: ", flags->estimate.size(), " given, expected ",
+                              flags->labels.size(), ", as of --labels"));
+    }
     if (flags->score == "ap") return;
     RefuseFlags(*app, {"--iou", "--truncation"}, "applies to --score ap");
   });

@@ -199,6 +199,12 @@ TEST_F(EvalSequence, ScoresBoxes) {
     ExpectError(run(wrong), wrong[0], 2);
   }
   ExpectError(run({"--score", "tracking", "--iou", "0.5"}), "--iou", 2);
+  // Track 1 of another sequence is another body, and what one misses does not spoil the other.
+  const Arguments two = {"eval", "boxes", "--labels", labels, labels, "--estimate", rows};
+  EXPECT_THAT(RunProgram(With(two, {rows, "--score", "tracking"})).out,
+              testing::ContainsRegex("2 frames(.|\n)*3d +100.00 .*100.00 "));
+  ExpectError(RunProgram(With(two, {labels})), "scores in all or in none", 1);
+  ExpectError(RunProgram(two), "--estimate: 1 given, expected 2", 2);
   ExpectError(RunProgram({"eval", "boxes", "--estimate", rows}), "--labels", 2);
   ExpectError(Evaluate({poses(), "--iou", "0.5"}), "--iou", 2);
   ExpectError(RunProgram({"eval", "boxes", "--score", "tracking", "--labels", Path("tiny"),

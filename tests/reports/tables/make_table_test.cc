@@ -128,6 +128,8 @@ TEST_F(MakeTableTest, ReportsPooledKeys) {
   suite_.Add(Result("a"));
   suite_.Add(Result("a"))["detections"] = "poor";
   EXPECT_THAT(Make().notes, ElementsAre("rows are means over detections: good, poor"));
+  suite_.table["rows"] = {"variant", "detections"};
+  EXPECT_THAT(Make().notes, Each(Not(StartsWith("rows are means"))));
 }
 
 TEST_F(MakeTableTest, MissingRunsAreCountedAndReported) {
