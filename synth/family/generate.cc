@@ -14,7 +14,7 @@
 namespace cvo::synth {
 namespace {
 
-constexpr int kLayoutTries = 20;
+constexpr int kLayoutTries = 200;  // crowded streets need more than 20
 constexpr int kBodyTries = 60;
 
 // A group of bodies, as listed in the layout of a family.
