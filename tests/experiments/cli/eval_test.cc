@@ -199,9 +199,10 @@ TEST_F(EvalSequence, ScoresBoxes) {
     ExpectError(run(wrong), wrong[0], 2);
   }
   ExpectError(run({"--score", "tracking", "--iou", "0.5"}), "--iou", 2);
-  // Track 1 of another sequence is another body, and what one misses does not spoil the other.
+  // Track 1 of another sequence is another body: its track 2 is no switch of identity.
+  const std::string other = folder_.Write("other", "0 2" + row.substr(3) + " 0.5\n").string();
   const Arguments two = {"eval", "boxes", "--labels", labels, labels, "--estimate", rows};
-  EXPECT_THAT(RunProgram(With(two, {rows, "--score", "tracking"})).out,
+  EXPECT_THAT(RunProgram(With(two, {other, "--score", "tracking"})).out,
               testing::ContainsRegex("2 frames(.|\n)*3d +100.00 .*100.00 "));
   ExpectError(RunProgram(With(two, {labels})), "scores in all or in none", 2);
   ExpectError(RunProgram(two), "--estimate: 1 given, expected 2", 2);
