@@ -102,10 +102,9 @@ PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_n
   const double speed = FallingDeviation(kFirstSpeed_m_s, kSpeedDeviation_m_s, cluster.frames);
   const double turn =
       dt_s * FallingDeviation(kFirstTurn_rad_s, kTurnDeviation_rad_s, cluster.frames);
-  const PredictedMotion extrapolated =
-      extrapolate(motion, states, dt_s, speed * speed * Eigen::Matrix3d::Identity());
+  const PredictedMotion extrapolated = extrapolate(motion, states, dt_s);
   return {extrapolated.world_from_object, cluster.Latest().velocity_m_s,
-          extrapolated.translation_covariance_m2(0, 0), turn * turn};
+          AddedVariance(extrapolated.power_density_m2_s3, speed, dt_s), turn * turn};
 }
 
 bool AgreesWithPrediction(const PredictedCluster& predicted,

@@ -28,7 +28,7 @@ struct PredictedCluster {
 
 // Extrapolate with the policies of a variant.
 using Extrapolation = PredictedMotion(const MotionPriorOptions&, std::span<const MotionState>,
-                                      double time_s, const Eigen::Matrix3d& velocity_covariance);
+                                      double time_s);
 
 // Predicts the cluster at a time after its latest state.
 PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_ns,

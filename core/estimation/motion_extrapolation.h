@@ -5,6 +5,7 @@
 #include <concepts>
 #include <span>
 
+#include "core/base/error.h"
 #include "core/geometry/rigid_transform.h"
 #include "core/solvers/motion_prior.h"
 
@@ -18,8 +19,15 @@ struct MotionState {
 
 struct PredictedMotion {
   RigidTransform world_from_object;
-  Eigen::Matrix3d translation_covariance_m2 = Eigen::Matrix3d::Zero();  // in world
+  double power_density_m2_s3 = 0.0;  // q, for the step
 };
+
+// The variance, per axis, that q and a velocity of this standard deviation add to a position in
+// dt_s: q dt^3 / 3 + dt^2 s_v^2 (METHOD.md 4.2).
+inline double AddedVariance(double power_density_m2_s3, double speed_deviation_m_s, double dt_s) {
+  return power_density_m2_s3 * dt_s * dt_s * dt_s / 3.0 +
+         dt_s * dt_s * (speed_deviation_m_s * speed_deviation_m_s);
+}
 
 // Predicts the orientation of a body.
 template <typename Policy>
@@ -51,26 +59,18 @@ struct TranslationNoiseMotion : WhiteNoiseOnTranslation, ConstantAngularVelocity
 struct TurnNoiseMotion : WithTurnPrior<NoMotionPrior>, ConstantAngularVelocity {};
 struct FreeMotion : NoMotionPrior, ConstantAngularVelocity {};
 
-// Predicts the position as t + v dt, with the covariance q dt^3 / 3 I + dt^2 Sigma_v: the
-// uncertainty added over dt seconds to that of the last state's position. Throws Error if time_s is
-// not after the last state.
-PredictedMotion ExtrapolateTranslation(const MotionState& last, double time_s,
-                                       double power_density_m2_s3,
-                                       const Eigen::Matrix3d& velocity_covariance_m2_s2);
-
-// Predicts the body's motion at time_s, which must be after the last of its states (at least one;
-// oldest first, times increasing).
+// Predicts the body's motion at time_s, its position as t + v dt. Throws Error if time_s is not
+// after the last of its states (at least one; oldest first, times increasing).
 template <MotionPriorPolicy MotionPrior, RotationPolicy RotationModel>
 PredictedMotion Extrapolate(const MotionPriorOptions& options, std::span<const MotionState> states,
-                            double time_s, const Eigen::Matrix3d& velocity_covariance_m2_s2) {
+                            double time_s) {
   const MotionState& last = states.back();
-  PredictedMotion predicted =
-      ExtrapolateTranslation(last, time_s, MotionPrior::PowerDensity(options, time_s - last.time_s),
-                             velocity_covariance_m2_s2);
-  predicted.world_from_object =
-      RigidTransform(RotationModel::Rotation(states, time_s),
-                     Eigen::Vector3d(predicted.world_from_object.translation()));
-  return predicted;
+  const double dt = time_s - last.time_s;
+  Require(dt > 0.0, "Extrapolate: time_s must be after the last state");
+  return {RigidTransform(
+              RotationModel::Rotation(states, time_s),
+              Eigen::Vector3d(last.world_from_object.translation() + last.velocity_m_s * dt)),
+          MotionPrior::PowerDensity(options, dt)};
 }
 
 }  // namespace cvo

@@ -231,8 +231,7 @@ constexpr std::array<const char*, 36> EnumNames(Aggregation) {
       "fraction in a cluster other than the static scene of those that are moving, all frames "
       "together",
       "fraction on the body that most landmarks of their cluster in all frames lie on of those in "
-      "a "
-      "cluster other than the static scene, standing bodies included",
+      "a cluster other than the static scene, standing bodies included",
       "intersection over union per body and its matched cluster (the static scene is one, a body "
       "without a cluster has 0), mean over those seen in the frame, mean over frames",
       "adjusted Rand index per frame, a landmark of no cluster alone; mean over frames",

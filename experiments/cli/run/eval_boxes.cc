@@ -56,10 +56,7 @@ std::vector<ApFrame> ReadSequences(const BoxFlags& flags, const FrameRange& rang
       all.push_back(std::move(frame));
     }
   }
-  const auto has_score = [](const ObjectBox& box) { return box.score.has_value(); };
-  if (AnyDetection(all, has_score) && AnyDetection(all, std::not_fn(has_score))) {
-    ThrowError("--estimate", "scores in some files", "scores in all or in none");
-  }
+  CheckScores(all, flags.estimate.size() == 1 ? flags.estimate.front() : "--estimate");
   return all;
 }
 

@@ -84,11 +84,15 @@ std::array<AveragePrecision, 3> EvaluateAp(const std::vector<ApFrame>& frames,
 // Reads labels and detections of the frames of `range`. For KITTI tracking, these are two files,
 // and the frames are those with a box in either; for KITTI object, they are two folders of
 // <number>.txt, and the frames are those of the label files. Throws Error if a file cannot be read,
-// if an image has a detection file but no label file, if only some of the detections have a score,
-// or for a track that a frame has twice if `tracks` are scored.
+// if an image has a detection file but no label file, or for a track that a frame has twice if
+// `tracks` are scored.
 std::vector<ApFrame> ReadApFrames(const std::filesystem::path& labels,
                                   const std::filesystem::path& detections, const FrameRange& range,
                                   bool tracks = false);
+
+// Throws Error if only some of the detections, which come from `where`, have a score: without any,
+// all thresholds are equal; with some, the ranking would be meaningless.
+void CheckScores(const std::vector<ApFrame>& frames, const std::string& where);
 
 // Whether the sequence has a label of a car with a 3D box, without which there are no BoxMetrics.
 bool TellsBoxes(const Sequence& sequence);

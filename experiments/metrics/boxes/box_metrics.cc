@@ -51,23 +51,19 @@ Frames ReadObjects(const fs::path& label_folder, const fs::path& detection_folde
   return frames;
 }
 
-// Throws Error if only some detections have scores. Without any, all score thresholds are equal;
-// with some, the ranking would be meaningless.
-void CheckScores(const Frames& frames, const fs::path& detections) {
-  std::size_t with = 0;
-  std::size_t all = 0;
-  for (const auto& [number, frame] : frames) {
-    all += frame.detections.size();
-    with += static_cast<std::size_t>(std::count_if(frame.detections.begin(), frame.detections.end(),
-                                                   [](const auto& box) { return !!box.score; }));
+}  // namespace
+
+void CheckScores(const std::vector<ApFrame>& frames, const std::string& where) {
+  std::ptrdiff_t with = 0;
+  std::ptrdiff_t all = 0;
+  for (const ApFrame& frame : frames) {
+    all += std::ssize(frame.detections);
+    with += std::ranges::count_if(frame.detections, [](const auto& box) { return !!box.score; });
   }
   if (with != 0 && with != all) {
-    ThrowError(detections.string(), StrCat("scores of ", with, " of ", all, " detections"),
-               "of all or of none");
+    ThrowError(where, StrCat("scores of ", with, " of ", all, " detections"), "of all or of none");
   }
 }
-
-}  // namespace
 
 std::vector<ApFrame> ReadApFrames(const fs::path& labels, const fs::path& detections,
                                   const FrameRange& range, bool tracks) {
@@ -78,7 +74,6 @@ std::vector<ApFrame> ReadApFrames(const fs::path& labels, const fs::path& detect
   }
   const Frames all =
       folders ? ReadObjects(labels, detections) : ReadTracking(labels, detections, tracks);
-  CheckScores(all, detections);
   if (all.empty()) ThrowError(labels.string(), "no label", "at least one");
   const FrameRange within = ResolveFrameRange(range, all.rbegin()->first + 1);
   std::vector<ApFrame> frames;

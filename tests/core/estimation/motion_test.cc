@@ -105,28 +105,21 @@ TEST(Extrapolate, FollowsConstantTranslationAndRotation) {
   const std::array<MotionState, 3> states = {TurningBody(0.0), TurningBody(0.1), TurningBody(0.3)};
   for (const double time_s : {0.35, 0.4, 1.0}) {
     const PredictedMotion predicted =
-        Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>({}, states, time_s,
-                                                                       Eigen::Matrix3d::Zero());
+        Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>({}, states, time_s);
     const MotionState truth = TurningBody(time_s);
     EXPECT_LT(predicted.world_from_object.Minus(truth.world_from_object).norm(), 1e-9);
   }
 }
 
-TEST(Extrapolate, CovarianceGrowsWithNoiseAndVelocity) {
-  const std::array<MotionState, 1> states = {TurningBody(0.0)};
-  const Eigen::Matrix3d velocity = Eigen::Vector3d(4.0, 1.0, 0.25).asDiagonal();
-  const auto predicted =
-      Extrapolate<WhiteNoiseOnAcceleration, HeldRotation>({.q_m2_s3 = 3.0}, states, 2.0, velocity);
-  const Eigen::Matrix3d expected = Eigen::Vector3d(24.0, 12.0, 9.0).asDiagonal();
-  EXPECT_TRUE(predicted.translation_covariance_m2.isApprox(expected, 1e-12));
+TEST(AddedVariance, GrowsWithNoiseAndVelocity) {
+  EXPECT_DOUBLE_EQ(AddedVariance(3.0, 2.0, 2.0), 24.0);
+  EXPECT_DOUBLE_EQ(AddedVariance(3.0, 0.5, 2.0), 9.0);
 }
 
 TEST(Extrapolate, RefusesTheTimeOfTheLastStateAndBefore) {
   const std::array<MotionState, 1> states = {TurningBody(0.1)};
   for (const double time_s : {0.1, 0.05}) {
-    EXPECT_THROW(
-        (Extrapolate<NoMotionPrior, HeldRotation>({}, states, time_s, Eigen::Matrix3d::Zero())),
-        Error);
+    EXPECT_THROW((Extrapolate<NoMotionPrior, HeldRotation>({}, states, time_s)), Error);
   }
 }
 

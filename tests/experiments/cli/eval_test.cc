@@ -204,7 +204,7 @@ TEST_F(EvalSequence, ScoresBoxes) {
   const Arguments two = {"eval", "boxes", "--labels", labels, labels, "--estimate", rows};
   EXPECT_THAT(RunProgram(With(two, {other, "--score", "tracking"})).out,
               testing::ContainsRegex("2 frames(.|\n)*3d +100.00 .*100.00 "));
-  ExpectError(RunProgram(With(two, {labels})), "scores in all or in none", 2);
+  ExpectError(RunProgram(With(two, {labels})), "of all or of none", 2);
   ExpectError(RunProgram(two), "--estimate: 1 given, expected 2", 2);
   ExpectError(RunProgram({"eval", "boxes", "--estimate", rows}), "--labels", 2);
   ExpectError(Evaluate({poses(), "--iou", "0.5"}), "--iou", 2);

@@ -21,7 +21,8 @@ class ApFiles : public testing::Test {
   void ExpectError(const std::string& labels, const std::string& detections,
                    const std::string& text) const {
     EXPECT_THAT(ErrorMessage([&] {
-                  ReadApFrames(folder_.path() / labels, folder_.path() / detections, {});
+                  CheckScores(
+                      ReadApFrames(folder_.path() / labels, folder_.path() / detections, {}), "");
                 }),
                 testing::HasSubstr(text));
   }
