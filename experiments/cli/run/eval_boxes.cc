@@ -3,7 +3,6 @@
 // clustervo eval boxes: scores boxes in KITTI's file formats as KITTI's benchmarks do.
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -45,8 +44,10 @@ std::vector<ApFrame> ReadSequences(const BoxFlags& flags, const FrameRange& rang
   int tracks = 0;
   for (std::size_t i = 0; i < flags.labels.size(); ++i) {
     const int first = tracks;
-    for (ApFrame& frame :
-         ReadApFrames(flags.labels[i], flags.estimate[i], range, flags.score == "tracking")) {
+    std::vector<ApFrame> frames =
+        ReadApFrames(flags.labels[i], flags.estimate[i], range, flags.score == "tracking");
+    CheckScores(frames, flags.estimate[i]);
+    for (ApFrame& frame : frames) {
       for (const Boxes boxes : {&ApFrame::labels, &ApFrame::detections}) {
         for (ObjectBox& box : frame.*boxes) {
           if (box.track >= 0) box.track += first;
@@ -56,7 +57,7 @@ std::vector<ApFrame> ReadSequences(const BoxFlags& flags, const FrameRange& rang
       all.push_back(std::move(frame));
     }
   }
-  CheckScores(all, flags.estimate.size() == 1 ? flags.estimate.front() : "--estimate");
+  CheckScores(all, "--estimate");
   return all;
 }
 

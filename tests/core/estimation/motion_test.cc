@@ -111,9 +111,13 @@ TEST(Extrapolate, FollowsConstantTranslationAndRotation) {
   }
 }
 
-TEST(AddedVariance, GrowsWithNoiseAndVelocity) {
-  EXPECT_DOUBLE_EQ(AddedVariance(3.0, 2.0, 2.0), 24.0);
-  EXPECT_DOUBLE_EQ(AddedVariance(3.0, 0.5, 2.0), 9.0);
+TEST(Extrapolate, VarianceGrowsWithNoiseAndVelocity) {
+  const std::array<MotionState, 1> states = {TurningBody(0.0)};
+  const auto predicted =
+      Extrapolate<WhiteNoiseOnAcceleration, HeldRotation>({.q_m2_s3 = 3.0}, states, 2.0);
+  for (const auto& [speed, variance] : {std::pair(2.0, 24.0), {1.0, 12.0}, {0.5, 9.0}}) {
+    EXPECT_DOUBLE_EQ(AddedVariance(predicted.power_density_m2_s3, speed, 2.0), variance);
+  }
 }
 
 TEST(Extrapolate, RefusesTheTimeOfTheLastStateAndBefore) {
