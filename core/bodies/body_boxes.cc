@@ -3,6 +3,7 @@
 #include "core/bodies/body_boxes.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -144,14 +145,14 @@ Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape
 }
 
 CutEdges CutBy(const StereoCamera& camera, const ImageBox& box) {
-  const double last_u_px = camera.width_px - 1 - kBorder_px;
-  const double last_v_px = camera.height_px - 1 - kBorder_px;
-  CutEdges cut;
-  cut.left = box.left_px < kBorder_px;
-  cut.top = box.top_px < kBorder_px;
-  cut.right = box.right_px > last_u_px;
-  cut.bottom = box.bottom_px > last_v_px;
-  return cut;
+  const double u_px = kBorder * box.Width();
+  const double v_px = kBorder * box.Height();
+  return {.left =
+              box.left_px<u_px,
+                          .top = box.top_px<v_px, .right = box.right_px> camera.width_px - 1 - u_px,
+                          .bottom = box.bottom_px>
+                  camera.height_px -
+              1 - v_px};
 }
 
 Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m) {
@@ -196,6 +197,13 @@ void CenterEstimate::Add(const RigidTransform& object_from_there,
   information += added;
   weighted += added * (object_from_there * center_there);
   ++boxes;
+}
+
+void CenterEstimate::Loosen(const Eigen::Matrix3d& covariance_m2) {
+  if (boxes == 0) return;
+  const Eigen::Vector3d center = InObject();
+  information = (information.inverse() + covariance_m2).inverse();
+  weighted = information * center;
 }
 
 Eigen::Vector3d CenterEstimate::InObject() const {
@@ -257,6 +265,18 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
   track.landmark_center = CenterBehindNearSides(sides, track.shape, camera);
 }
 
+// Covariance, in the object frame, of a single triangulated point of the body; zero beside or
+// behind the camera.
+Eigen::Matrix3d PointCovariance(const BoxScene& scene, const RigidTransform& object_from_world,
+                                const Eigen::Vector3d& p_in_world) {
+  const StereoCamera& camera = scene.view->camera;
+  const auto z_px = camera.Project(scene.world_from_camera.Inverse() * p_in_world);
+  if (!z_px) return Eigen::Matrix3d::Zero();
+  const Eigen::Matrix3d R = (object_from_world * scene.world_from_camera).RotationMatrix();
+  return R * camera.PointCovariance(*z_px, scene.options.NoiseOfFeatures().Covariance(0)) *
+         R.transpose();
+}
+
 // Updates the body's place, and for later frames its sides, from its view in this frame.
 void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTrack& track) {
   const double disparity_px = scene.options.noise.disparity_px;
@@ -265,11 +285,9 @@ void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTr
                : PlaceByPicture(*scene.view, disparity_px, scene.newest, cluster, track.shape,
                                 track.landmark_center);
   if (!place) return;
-  const double kept = 1.0 - 1.0 / kMaxViews;
-  track.center.information *= kept;
-  track.center.weighted *= kept;
-  track.center.Add(cluster.Latest().world_from_object.Inverse(), place->center_in_world,
-                   place->information);
+  const RigidTransform object_from_world = cluster.Latest().world_from_object.Inverse();
+  track.center.Loosen(PointCovariance(scene, object_from_world, place->center_in_world));
+  track.center.Add(object_from_world, place->center_in_world, place->information);
   if (!is_known) {
     AddPicture(*scene.view, cluster.detection, track.shape, place->center_in_world, track.viewed);
   }

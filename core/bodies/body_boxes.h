@@ -47,7 +47,7 @@ Eigen::Vector3d SidesOfBall(const Eigen::Vector3d& size_m, const ViewedSides& vi
 Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape& shape,
                                       const Eigen::Vector3d& camera_in_world);
 
-// Edges of a box that the image border may cut: those closer to it than `kBorder_px`.
+// Edges of a box that the image border may cut: those closer to it than kBorder.
 struct CutEdges {
   bool left = false;
   bool top = false;
@@ -92,6 +92,8 @@ struct CenterEstimate {
   // Adds a centre and its information, given in the frame `there`.
   void Add(const RigidTransform& object_from_there, const Eigen::Vector3d& center_there,
            const Eigen::Matrix3d& information_there);
+  // Adds the covariance of the body's motion since the last view, in the object frame.
+  void Loosen(const Eigen::Matrix3d& covariance_m2);
   // The estimated centre; the origin if there is no box yet.
   Eigen::Vector3d InObject() const;
 };

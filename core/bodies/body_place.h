@@ -89,8 +89,7 @@ struct ViewedSides {
 
 // Adds the sides with which a body at `center_in_world` would fill the detection: those of a ball,
 // or otherwise midway between those of a box and of an ellipsoid. Height and width are measured
-// only where both edges are at least kBorder_px from the image border, which may cut the
-// detection.
+// only between edges that the image does not cut (CutBy).
 void AddPicture(const FrameView& view, int detection, const BoxShape& shape,
                 const Eigen::Vector3d& center_in_world, ViewedSides& viewed);
 

@@ -18,9 +18,9 @@ inline constexpr double kEdgeDeviation = 0.05;
 // deep as it is wide, or less; not swept).
 inline constexpr double kUnseenDeviation = 0.3;
 
-// Box edges closer than this to the image border may be truncated by it (detectors end boxes up
-// to a few pixels before the border).
-inline constexpr double kBorder_px = 3.0;
+// Box edges closer than this to the image border, as a fraction of the box, may be truncated by it:
+// two deviations of an edge (detectors end the boxes of cut cars up to 9 % before it).
+inline constexpr double kBorder = 0.1;
 
 // Maximum fraction of a box that another box may overlap without being taken to occlude the
 // body (boxes of neighbours touch by the jitter of their edges).
@@ -34,10 +34,6 @@ inline constexpr double kSideQuantile = 0.02;
 // square that appears as wide as its detections; extent along the line of sight is poorly
 // observed, and landmarks behind the body may be taken for its own (METHOD.md 10.4).
 inline constexpr double kFootprintRatio = 1.2;
-
-// Maximum weight of past views in the centre of a box, in frames; larger is steadier and
-// corrects errors more slowly (one to three seconds).
-inline constexpr int kMaxViews = 30;
 
 // Whether bodies of the class are balls.
 inline bool IsRound(std::string_view category) { return category == "Ball"; }

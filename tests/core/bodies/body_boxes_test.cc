@@ -100,6 +100,8 @@ struct SeenCar {
       box = {std::min(box.left_px, z[0]), std::min(box.top_px, z[1]), std::max(box.right_px, z[0]),
              std::max(box.bottom_px, z[1])};
     }
+    // Detectors end the box of a body that the image cuts some way before the border.
+    box.right_px = std::min(box.right_px, 0.92 * test::kCamera.width_px + 0.08 * box.left_px);
     frame.detections = {{box, "Car", 2.0}};
     AddFaces(f, pose, car_from_object.Inverse());
     ClusterReport report;
@@ -163,12 +165,8 @@ TEST(BodyBoxes, BodiesOfKittiClassesHaveTheSizeOfTheirClass) {
 }
 
 TEST(BodyBoxes, TruncatedBoxesArePlacedByTheirVisibleEdge) {
-  SeenCar car;
-  car.See(0, Ahead(2.0, 9.0));
-  const double inner_px = car.frame.detections[0].box.left_px;
   SeenCar cut;
   const ClusterReport report = cut.See(0, Ahead(6.2, 9.0));  // its right side is outside the image
-  EXPECT_GT(inner_px, 0.0);
   EXPECT_LT((Center(report) - Vector3d(6.2, 1.0, 9.0)).norm(), 0.3);
 }
 
@@ -254,9 +252,6 @@ TEST(BodyFootprint, AlignsWithTheSideNearestToTheHeading) {
     const Eigen::Matrix3d turned = FootprintAxes(Table(yaw_rad), Vector3d::UnitZ(), kDown);
     EXPECT_LT(std::abs(turned.col(0).dot(side)), std::sin(0.06)) << yaw_rad;
   }
-}
-
-TEST(BodyFootprint, UsesTheHeadingIfThereAreFewPoints) {
   const Eigen::Matrix3Xd few = Table(0.4).leftCols(10);
   EXPECT_EQ(FootprintAxes(few, Vector3d::UnitX(), kDown), BoxAxes(Vector3d::UnitX(), kDown));
 }
@@ -286,11 +281,10 @@ TEST(BodyFootprint, SidesOfABallAreItsDiameter) {
 TEST(BodyFootprint, MissingDepthIsAddedOnTheFarSide) {
   LandmarkSides sides{{-0.5, -0.3, 3.0}, {0.5, 0.3, 3.2}, {1.0, 0.6, 0.2}};
   const BoxShape shape{Eigen::Matrix3d::Identity(), {1.0, 0.6, 1.0}};
-  EXPECT_LT(
-      (CenterBehindNearSides(sides, shape, Vector3d::Zero()) - Vector3d(0.0, 0.0, 3.5)).norm(),
-      1e-12);
-  EXPECT_LT((CenterBehindNearSides(sides, shape, {0.0, 0.0, 9.0}) - Vector3d(0.0, 0.0, 2.7)).norm(),
-            1e-12);
+  for (const auto& [camera_z, center_z] : {std::pair(0.0, 3.5), {9.0, 2.7}}) {
+    const Vector3d center = CenterBehindNearSides(sides, shape, {0.0, 0.0, camera_z});
+    EXPECT_LT((center - Vector3d(0.0, 0.0, center_z)).norm(), 1e-12);
+  }
 }
 
 }  // namespace

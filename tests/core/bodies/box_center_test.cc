@@ -19,9 +19,7 @@ using Eigen::Vector3d;
 TEST(FindState, ReturnsTheStateOfExactlyThisFrame) {
   Cluster cluster;
   for (const int frame : {3, 5, 9}) cluster.states.push_back({FrameId{frame}, 0, {}});
-  for (const std::size_t i : {0u, 1u, 2u}) {
-    EXPECT_EQ(FindState(cluster, cluster.states[i].frame), &cluster.states[i]);
-  }
+  for (auto& state : cluster.states) EXPECT_EQ(FindState(cluster, state.frame), &state);
   for (const int frame : {2, 4, 6, 10}) EXPECT_EQ(FindState(cluster, FrameId{frame}), nullptr);
 }
 
@@ -118,6 +116,15 @@ TEST(CenterEstimate, TwoViewsResolveTheDepthThatOneCannot) {
   add(FromTheSide(), ball.From(FromTheSide()));
   EXPECT_EQ(center.boxes, 2);
   EXPECT_LT((center.InObject() - ball.center).norm(), 0.02);
+}
+
+TEST(CenterEstimate, CountsEarlierViewsLessAfterAnUncertainMotion) {
+  CenterEstimate center;
+  center.Add({}, Vector3d::Zero(), Eigen::Matrix3d::Identity());
+  center.Loosen(Vector3d(0.0, 1.0, 3.0).asDiagonal());
+  EXPECT_LT(center.InObject().norm(), 1e-12);
+  center.Add({}, Vector3d::Ones(), Eigen::Matrix3d::Identity());
+  EXPECT_LT((center.InObject() - Vector3d(1.0 / 2.0, 2.0 / 3.0, 4.0 / 5.0)).norm(), 1e-12);
 }
 
 }  // namespace
