@@ -213,23 +213,21 @@ std::optional<double> BehindSurface(const Eigen::Vector3d& p, const BoxShape& sh
   return p.norm() - enter_m;
 }
 
-// How far the foremost points lie behind the faces, corrected for the noise of their depths: a body
-// is within its box, so most points are behind its faces, and noise spreads them to both sides.
+// How far the foremost points lie behind the faces: nearly all points of a body are on its faces or
+// behind them, such as those of a windscreen.
 double SurfaceShift(const std::vector<Eigen::Vector3d>& points, const BoxShape& shape,
-                    const Eigen::Vector3d& center, double deviation_m) {
+                    const Eigen::Vector3d& center) {
   std::vector<double> behind_m;
   for (const Eigen::Vector3d& p : points) {
     if (const auto one_m = BehindSurface(p, shape, center)) behind_m.push_back(*one_m);
   }
   constexpr std::size_t kLeast = 3;
   if (behind_m.size() < kLeast) return 0.0;
-  // This quantile of a normal distribution lies kDeviations standard deviations below the mean.
-  constexpr double kForemost = 0.2;
-  constexpr double kDeviations = 0.84;
+  constexpr double kForemost =
+      0.3;  // less and a few wrong points decide; more and boxes are too far
   const auto rank = static_cast<std::ptrdiff_t>(kForemost * static_cast<double>(behind_m.size()));
   std::nth_element(behind_m.begin(), behind_m.begin() + rank, behind_m.end());
-  const double foremost_m = behind_m[static_cast<std::size_t>(rank)];
-  return std::min(foremost_m + kDeviations * deviation_m, Median(std::move(behind_m)));
+  return behind_m[static_cast<std::size_t>(rank)];
 }
 
 Eigen::Vector3d MedianPoint(const std::vector<Eigen::Vector3d>& points) {
@@ -294,9 +292,7 @@ std::optional<BoxPlace> PlaceBySurface(const FrameView& view, double disparity_p
   Eigen::Vector3d center = MedianPoint(points);
   for (int i = 0; i < kRounds; ++i) {
     center = Centred(view.camera, view.shown.detections[cluster.detection].box, seen, center);
-    center +=
-        SurfaceShift(points, seen, center, DepthDeviation(view.camera, disparity_px, center)) *
-        center.normalized();
+    center += SurfaceShift(points, seen, center) * center.normalized();
   }
   return PlaceAt(view, disparity_px, cluster.detection, shape, center);
 }
