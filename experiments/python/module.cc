@@ -17,7 +17,7 @@ namespace cvo {
 namespace {
 
 namespace py = pybind11;
-using namespace py::literals;
+using namespace py::literals;  // NOLINT
 
 using GreyArray = py::array_t<std::uint8_t, py::array::c_style>;
 

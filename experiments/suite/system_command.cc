@@ -241,8 +241,9 @@ void ResolveCommands(const fs::path& folder, Json& suite) {
       if (!system.is_object() || !system.contains(key) || !system[key].is_array()) continue;
       for (Json& word : system[key]) {
         std::error_code ignored;
-        const fs::path file = folder / (word.is_string() ? word.get<std::string>() : "");
-        if (word != "" && fs::exists(file, ignored)) word = file.lexically_normal().string();
+        const fs::path file = word.is_string() ? word.get<std::string>() : "";
+        if (file.empty() || !fs::exists(folder / file, ignored)) continue;
+        word = (folder / file).lexically_normal().string();
       }
     }
   }

@@ -17,7 +17,7 @@ class GlFunction {
  public:
   explicit GlFunction(const char* name);
   template <typename Function>
-  operator Function*() const {
+  operator Function*() const {  // NOLINT: implicit, for the table below
     return reinterpret_cast<Function*>(found_);
   }
 

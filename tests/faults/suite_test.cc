@@ -80,11 +80,9 @@ TEST_F(SuiteFaults, Size) {
       {"sequences", sequences},
       {"sequences", Json::array({Json{{"family", "room"}, {"seeds", "0:4294967295"}}})}};
   for (const auto& [key, value] : changes) {
-    const std::string suite = folder_.Write("large.json", [&] {
-      Json json = ReadJson(At("suite.json"));
-      json[key] = value;
-      return json.dump();
-    }());
+    Json json = ReadJson(At("suite.json"));
+    json[key] = value;
+    const std::string suite = folder_.Write("large.json", json.dump());
     ExpectOneLine({"experiment", "run", suite, "-o", out(), "--data", At("data"), "--dry-run"},
                   AnyOf(1, 2), "expected");
   }

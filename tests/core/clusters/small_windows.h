@@ -27,7 +27,7 @@ inline ClusterState StateAt(std::int64_t frame, const RigidTransform& world_from
   return {FrameId{frame}, frame * kInterval_ns, world_from_object, velocity_m_s};
 }
 
-inline Landmark MakeLandmark(std::int64_t id, std::vector<std::int64_t> frames) {
+inline Landmark MakeLandmark(std::int64_t id, const std::vector<std::int64_t>& frames) {
   Landmark landmark;
   landmark.id = LandmarkId{id};
   for (const std::int64_t frame : frames) {
