@@ -198,7 +198,7 @@ int EvaluateSequence(const TrajectoryFlags& flags) {
     RefuseRunFolder(flags.output);
     std::vector<fs::path> read = FoldersOf(sequence);
     read.insert(read.end(), {estimate, flags.objects});
-    output.reset(new OutputFolder(OpenOutput(flags.output, {kResult}, read)));
+    output.reset(new OutputFolder(OpenOutput(flags.output, {kResult}, read)));  // NOLINT: immovable
   }
   RequireAsRendered(sequence);
   const std::string name = flags.name.empty() ? fs::path(estimate).stem().string() : flags.name;
