@@ -147,12 +147,12 @@ Eigen::Vector3d CenterBehindNearSides(const LandmarkSides& sides, const BoxShape
 CutEdges CutBy(const StereoCamera& camera, const ImageBox& box) {
   const double u_px = kBorder * box.Width();
   const double v_px = kBorder * box.Height();
-  return {.left =
-              box.left_px<u_px,
-                          .top = box.top_px<v_px, .right = box.right_px> camera.width_px - 1 - u_px,
-                          .bottom = box.bottom_px>
-                  camera.height_px -
-              1 - v_px};
+  CutEdges cut;
+  cut.left = box.left_px < u_px;
+  cut.top = box.top_px < v_px;
+  cut.right = box.right_px > camera.width_px - 1 - u_px;
+  cut.bottom = box.bottom_px > camera.height_px - 1 - v_px;
+  return cut;
 }
 
 Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m) {

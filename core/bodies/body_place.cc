@@ -223,8 +223,8 @@ double SurfaceShift(const std::vector<Eigen::Vector3d>& points, const BoxShape& 
   }
   constexpr std::size_t kLeast = 3;
   if (behind_m.size() < kLeast) return 0.0;
-  constexpr double kForemost =
-      0.3;  // less and a few wrong points decide; more and boxes are too far
+  // With fewer, a few wrong points decide; with more, boxes are too far.
+  constexpr double kForemost = 0.3;
   const auto rank = static_cast<std::ptrdiff_t>(kForemost * static_cast<double>(behind_m.size()));
   std::nth_element(behind_m.begin(), behind_m.begin() + rank, behind_m.end());
   return behind_m[static_cast<std::size_t>(rank)];
