@@ -167,6 +167,8 @@ TEST(BodyBoxes, BodiesOfKittiClassesHaveTheSizeOfTheirClass) {
 TEST(BodyBoxes, TruncatedBoxesArePlacedByTheirVisibleEdge) {
   SeenCar cut;
   const ClusterReport report = cut.See(0, Ahead(6.2, 9.0));  // its right side is outside the image
+  EXPECT_GT(cut.frame.detections[0].box.left_px, 0.0);
+  EXPECT_LT(cut.frame.detections[0].box.right_px, test::kCamera.width_px - 5);
   EXPECT_LT((Center(report) - Vector3d(6.2, 1.0, 9.0)).norm(), 0.3);
 }
 
