@@ -40,10 +40,7 @@ inline constexpr Rung kLadder[] = {
      Default<&Options::unary, &UnaryOptions::undetected_reach>},
     {"box_size", "a cluster fills its box",
      Default<&Options::clusters, &ClusterOptions::box_half_size>},
-    {"new_bodies",
-     "a new body is the nearest dense range of depths that fills its box, no part of another, "
-     "with its origin behind the surface",
-     Default<&Options::clusters, &ClusterOptions::part_share>},
+    {"new_bodies", "a new body is the nearest dense range of depths that fills its box"},
     {"reserve", "bodies get additional corners", Default<&Options::orb, &OrbOptions::reserve>},
     {"confirmation",
      "a cluster is reported from its second detection on, and archived if neither boxes nor motion "

@@ -45,7 +45,6 @@ struct Paper {
     options.stereo.max_row_correction_px = 0.0;
     options.noise.right_mean_px = 0.0;
     options.clusters.max_past_observations = 0.0;
-    options.clusters.part_share = 2.0;
     options.tracking.align_patches = false;
     options.noise.disagreement = 0.0;
   }

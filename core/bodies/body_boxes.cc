@@ -177,18 +177,6 @@ Eigen::Matrix3d InformationAlong(const RigidTransform& world_from_camera,
   return R * deviations_m.cwiseAbs2().cwiseInverse().asDiagonal() * R.transpose();
 }
 
-Eigen::Vector3d CenterFromBox(const FrameView& view, int detection,
-                              const Eigen::Vector3d& surface_in_world) {
-  const ImageBox& box = view.shown.detections[detection].box;
-  const double surface_m = (view.world_from_camera.Inverse() * surface_in_world).z();
-  const Eigen::Vector3d ray((0.5 * (box.left_px + box.right_px) - view.camera.cx) / view.camera.fx,
-                            (0.5 * (box.top_px + box.bottom_px) - view.camera.cy) / view.camera.fy,
-                            1.0);
-  const double side_m =
-      surface_m * std::min(box.Width() / view.camera.fx, box.Height() / view.camera.fy);
-  return view.world_from_camera * ((surface_m + view.options.clusters.birth_depth * side_m) * ray);
-}
-
 void CenterEstimate::Add(const RigidTransform& object_from_there,
                          const Eigen::Vector3d& center_there,
                          const Eigen::Matrix3d& information_there) {
@@ -267,8 +255,8 @@ void ShapeBox(const BoxScene& scene, const Cluster& cluster, const Eigen::Vector
 
 // Covariance, in the object frame, of a single triangulated point of the body; zero beside or
 // behind the camera.
-Eigen::Matrix3d PointCovariance(const BoxScene& scene, const RigidTransform& object_from_world,
-                                const Eigen::Vector3d& p_in_world) {
+Eigen::Matrix3d CovarianceInObject(const BoxScene& scene, const RigidTransform& object_from_world,
+                                   const Eigen::Vector3d& p_in_world) {
   const StereoCamera& camera = scene.view->camera;
   const auto z_px = camera.Project(scene.world_from_camera.Inverse() * p_in_world);
   if (!z_px) return Eigen::Matrix3d::Zero();
@@ -279,14 +267,13 @@ Eigen::Matrix3d PointCovariance(const BoxScene& scene, const RigidTransform& obj
 
 // Updates the body's place, and for later frames its sides, from its view in this frame.
 void LookAt(const BoxScene& scene, const Cluster& cluster, bool is_known, BodyTrack& track) {
-  const double disparity_px = scene.options.noise.disparity_px;
   const std::optional<BoxPlace> place =
-      is_known ? PlaceBySurface(*scene.view, disparity_px, scene.newest, cluster, track.shape)
-               : PlaceByPicture(*scene.view, disparity_px, scene.newest, cluster, track.shape,
-                                track.landmark_center);
+      is_known
+          ? PlaceBySurface(*scene.view, scene.newest, cluster, track.shape)
+          : PlaceByPicture(*scene.view, scene.newest, cluster, track.shape, track.landmark_center);
   if (!place) return;
   const RigidTransform object_from_world = cluster.Latest().world_from_object.Inverse();
-  track.center.Loosen(PointCovariance(scene, object_from_world, place->center_in_world));
+  track.center.Loosen(CovarianceInObject(scene, object_from_world, place->center_in_world));
   track.center.Add(object_from_world, place->center_in_world, place->information);
   if (!is_known) {
     AddPicture(*scene.view, cluster.detection, track.shape, place->center_in_world, track.viewed);

@@ -56,12 +56,6 @@ struct CutEdges {
 };
 CutEdges CutBy(const StereoCamera& camera, const ImageBox& box);
 
-// Places the centre on the ray through the centre of the detection's box, behind the surface by
-// clusters.birth_depth times the smaller side of the box. Where in the box the surface points lie
-// does not matter: the texture may be on one side. In world.
-Eigen::Vector3d CenterFromBox(const FrameView& view, int detection,
-                              const Eigen::Vector3d& surface_in_world);
-
 // Standard deviations (m) of a body's centre as estimated from its detection's box, across the line
 // of sight (right, down) and along it. `size_m` is the smaller side of the box at the body's depth.
 Eigen::Vector3d CenterDeviations(const FrameView& view, int detection, double size_m);

@@ -249,10 +249,11 @@ BoxShape InCamera(const FrameView& view, const BoxShape& shape) {
           shape.is_round};
 }
 
-BoxPlace PlaceAt(const FrameView& view, double disparity_px, int detection, const BoxShape& shape,
+BoxPlace PlaceAt(const FrameView& view, int detection, const BoxShape& shape,
                  const Eigen::Vector3d& center) {
   Eigen::Vector3d deviations = CenterDeviations(view, detection, shape.size_m.minCoeff());
-  deviations.z() = std::hypot(deviations.z(), DepthDeviation(view.camera, disparity_px, center));
+  deviations.z() = std::hypot(deviations.z(),
+                              DepthDeviation(view.camera, view.options.noise.disparity_px, center));
   return {view.world_from_camera * center,
           InformationAlong(view.world_from_camera, center, deviations)};
 }
@@ -283,7 +284,7 @@ void ViewedSides::Add(double measured_m, double& side_m) {
   side_m += (measured_m > side_m ? kUp : kDown) * (measured_m - side_m);
 }
 
-std::optional<BoxPlace> PlaceBySurface(const FrameView& view, double disparity_px, FrameId newest,
+std::optional<BoxPlace> PlaceBySurface(const FrameView& view, FrameId newest,
                                        const Cluster& cluster, const BoxShape& shape) {
   if (!IsDetected(cluster, newest)) return std::nullopt;
   const std::vector<Eigen::Vector3d> points = SeenPoints(view, newest, cluster);
@@ -294,15 +295,15 @@ std::optional<BoxPlace> PlaceBySurface(const FrameView& view, double disparity_p
     center = Centred(view.camera, view.shown.detections[cluster.detection].box, seen, center);
     center += SurfaceShift(points, seen, center) * center.normalized();
   }
-  return PlaceAt(view, disparity_px, cluster.detection, shape, center);
+  return PlaceAt(view, cluster.detection, shape, center);
 }
 
-std::optional<BoxPlace> PlaceByPicture(const FrameView& view, double disparity_px, FrameId newest,
+std::optional<BoxPlace> PlaceByPicture(const FrameView& view, FrameId newest,
                                        const Cluster& cluster, const BoxShape& shape,
                                        const Eigen::Vector3d& center_in_world) {
   const Eigen::Vector3d center = view.world_from_camera.Inverse() * center_in_world;
   if (!IsDetected(cluster, newest) || center.z() < kNear_m) return std::nullopt;
-  return PlaceAt(view, disparity_px, cluster.detection, shape,
+  return PlaceAt(view, cluster.detection, shape,
                  Centred(view.camera, view.shown.detections[cluster.detection].box,
                          InCamera(view, shape), center));
 }

@@ -69,12 +69,12 @@ double DepthDeviation(const StereoCamera& camera, double disparity_px, const Eig
 // between those edges that the image does not cut, and the foremost of the landmarks seen lie on
 // the faces turned to the camera. Empty if frame `newest` has no detection or no landmarks of the
 // cluster.
-std::optional<BoxPlace> PlaceBySurface(const FrameView& view, double disparity_px, FrameId newest,
+std::optional<BoxPlace> PlaceBySurface(const FrameView& view, FrameId newest,
                                        const Cluster& cluster, const BoxShape& shape);
 
 // The same for a body that is not a solid box: the depth is that of `center_in_world`. Empty
 // without a detection, or if that depth is below 0.5 m.
-std::optional<BoxPlace> PlaceByPicture(const FrameView& view, double disparity_px, FrameId newest,
+std::optional<BoxPlace> PlaceByPicture(const FrameView& view, FrameId newest,
                                        const Cluster& cluster, const BoxShape& shape,
                                        const Eigen::Vector3d& center_in_world);
 

@@ -160,9 +160,7 @@ std::optional<ClusterTrack> TrackInPast(const FrameView& view, LandmarkSearch& f
   if (!solution) return std::nullopt;
   const RigidTransform world_from_object =
       view.world_from_camera * solution->world_from_camera.Inverse();
-  const double off_m2 =
-      (world_from_object.translation() - predicted.world_from_object.translation()).squaredNorm();
-  if (off_m2 > view.options.association.gamma * predicted.translation_variance_m2) {
+  if (!AgreesWithPrediction(predicted, world_from_object, view.options.noise.gate)) {
     return std::nullopt;
   }
   ClusterTrack track;

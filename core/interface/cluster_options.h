@@ -48,9 +48,7 @@ struct TrackingOptions {
 // Options for the life cycle of clusters: birth, survival and prediction.
 struct ClusterOptions {
   int min_landmarks = 8;
-  double birth_depth = 0.33;
   double box_half_size = 0.13;
-  double part_share = 0.8;
   int confirm_detections = 2;
   int confirm_frames = 5;
   int undetected_frames = 15;
@@ -71,23 +69,11 @@ struct ClusterOptions {
                  "also false ones",
                  "METHOD.md 6.1: 12 indoors, 8 for cars; one value for both"});
     visit.Field(
-        "birth_depth", self.birth_depth,
-        {"1", 0, 2,
-         "depth of a new cluster's origin behind the visible surface, as a fraction of the smaller "
-         "side of its box, to place it near the body's centre: the surface of a rotating body "
-         "moves",
-         "exact for a sphere: its visible disk lies 1/3 of the diameter before its centre"});
-    visit.Field(
         "box_half_size", self.box_half_size,
         {"1", 0, 1,
          "minimum half size of a cluster, as a fraction of the mean side of its box: its landmarks "
          "may so far all be on one part",
          "half of (p70 - p30) / 2 of a body that fills its box is 0.2; less, as it rarely does"});
-    visit.Field("part_share", self.part_share,
-                {"1", 0.0, 2.0,
-                 "minimum share of a box inside that of a cluster of the same class, at its depth, "
-                 "from which it is taken as a part of that body; more than 1: never",
-                 "METHOD.md 6.2"});
     visit.Field("confirm_detections", self.confirm_detections,
                 {"detections", 1, 100,
                  "minimum detections of a cluster to be reported; a single one is often false",

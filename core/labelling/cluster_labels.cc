@@ -88,29 +88,9 @@ void AddGivenBodies(const FrameView& view, std::vector<CrfLabel>& labels) {
   }
 }
 
-// Whether the detection shows a part of a body that is whole in the box of a cluster: detectors
-// sometimes report both. `body` is what would be born from it.
-bool IsPartOfCluster(const FrameView& view, int detection, const CrfLabel::Extent& body,
-                     const std::vector<CrfLabel>& labels) {
-  constexpr double kDeepestSides = 2.0;  // depth of a body relative to the sides of its box
-  const Detection& part = view.shown.detections[detection];
-  return std::ranges::any_of(labels, [&](const CrfLabel& label) {
-    if (label.kind != LabelKind::kCluster || label.detection < 0) return false;
-    const Detection& whole = view.shown.detections[label.detection];
-    if (whole.category != part.category ||
-        ShareInside(part.box, whole.box) < view.options.clusters.part_share) {
-      return false;
-    }
-    const double depth_m = label.extent->center_in_camera.z();
-    const double side_m =
-        depth_m * std::max(whole.box.Width(), whole.box.Height()) / view.camera.fx;
-    return std::abs(body.center_in_camera.z() - depth_m) < kDeepestSides * side_m;
-  });
-}
-
 }  // namespace
 
-CrfScene BuildCrfScene(const FrameView& view, const NewBodyRule& new_body, const Window& window,
+CrfScene BuildCrfScene(const FrameView& view, NewBodyRule new_body, const Window& window,
                        const ClusterMap& map, const std::vector<ClusterTrack>& tracks,
                        const std::vector<FramePoint>& points) {
   const WindowFrame* past = FindPastFrame(window, view.options.unary.past_frames);
@@ -136,15 +116,17 @@ CrfScene BuildCrfScene(const FrameView& view, const NewBodyRule& new_body, const
     scene.labels.push_back(ClusterLabel(view, q, map, tracks[q], past));
     if (tracks[q].detection >= 0) is_claimed[tracks[q].detection] = 1;
   }
-  const auto bodies = FindNewBodies(view, new_body, is_claimed, points, scene.nodes);
-  for (int m = 0; m < static_cast<int>(bodies.size()); ++m) {
-    if (!bodies[m] || IsPartOfCluster(view, m, *bodies[m], scene.labels)) continue;
+  for (int m = 0; m < static_cast<int>(is_claimed.size()); ++m) {
+    if (is_claimed[m]) continue;
+    const ImageBox& box = view.shown.detections[m].box;
+    const auto extent = FindNewBody(view, new_body, box, points, scene.nodes);
+    if (!extent) continue;
     const std::span<const BodyId> given = view.shown.detection_body;
     scene.labels.push_back({.kind = LabelKind::kNewBox,
                             .detection = m,
                             .given_body = given.empty() ? BodyId() : given[m],
-                            .box = view.shown.detections[m].box,
-                            .extent = bodies[m]});
+                            .box = box,
+                            .extent = extent});
   }
   AddGivenBodies(view, scene.labels);
   scene.labels.push_back({.kind = LabelKind::kOutlier});

@@ -40,7 +40,7 @@ struct FrameLabels {
 
 // Collects what is known of every point and every class (section 3.2 of the paper). The current
 // frame is the one after the newest frame of the window.
-CrfScene BuildCrfScene(const FrameView& view, const NewBodyRule& new_body, const Window& window,
+CrfScene BuildCrfScene(const FrameView& view, NewBodyRule new_body, const Window& window,
                        const ClusterMap& map, const std::vector<ClusterTrack>& tracks,
                        const std::vector<FramePoint>& points);
 

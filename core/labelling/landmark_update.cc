@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 
-#include "core/bodies/body_boxes.h"
 #include "core/clustering/point_extent.h"
 #include "core/clusters/trace_back.h"
 #include "core/estimation/camera_solver.h"
@@ -33,14 +32,12 @@ Eigen::Matrix3Xd PointsOf(ClusterId id, const FrameView& view,
   return columns;
 }
 
-Cluster CreateCluster(const FrameView& view, const NewBodyRule& new_body, FrameId newest,
-                      const FrameLabels::Birth& birth, const Eigen::Matrix3Xd& members) {
+Cluster CreateCluster(const FrameView& view, FrameId newest, const FrameLabels::Birth& birth,
+                      const Eigen::Matrix3Xd& members) {
   Cluster cluster;
   cluster.id = birth.id;
   cluster.given_body = birth.given_body;
   cluster.category = kUnknownCategory;
-  const RigidTransform axes = PrincipalAxes(members);
-  Eigen::Vector3d origin = axes.translation();
   cluster.last_observed = newest;
   if (birth.detection >= 0) {
     const Detection& detection = view.shown.detections[birth.detection];
@@ -48,22 +45,19 @@ Cluster CreateCluster(const FrameView& view, const NewBodyRule& new_body, FrameI
     cluster.detections = 1;
     cluster.score = detection.score;
     cluster.last_detected = newest;
-    origin = new_body.origin(origin, CenterFromBox(view, birth.detection, axes.translation()));
   }
-  cluster.states.push_back({newest, view.frame.timestamp_ns,
-                            RigidTransform(axes.RotationMatrix(), origin),
-                            Eigen::Vector3d::Zero()});
+  cluster.states.push_back(
+      {newest, view.frame.timestamp_ns, PrincipalAxes(members), Eigen::Vector3d::Zero()});
   return cluster;
 }
 
 }  // namespace
 
-void CreateClusters(const FrameView& view, const NewBodyRule& new_body, FrameId newest,
-                    const std::vector<FramePoint>& points, const FrameLabels& labels,
-                    ClusterMap& map) {
+void CreateClusters(const FrameView& view, FrameId newest, const std::vector<FramePoint>& points,
+                    const FrameLabels& labels, ClusterMap& map) {
   for (const FrameLabels::Birth& birth : labels.births) {
     map.live.push_back(
-        CreateCluster(view, new_body, newest, birth, PointsOf(birth.id, view, points, labels)));
+        CreateCluster(view, newest, birth, PointsOf(birth.id, view, points, labels)));
     map.next.value = birth.id.value + 1;
   }
 }

@@ -8,9 +8,8 @@ namespace cvo {
 
 // Creates the clusters that are born from the frame's labels. They are at rest, their axes are the
 // principal axes of their points, and they have no landmarks yet.
-void CreateClusters(const FrameView& view, const NewBodyRule& new_body, FrameId newest,
-                    const std::vector<FramePoint>& points, const FrameLabels& labels,
-                    ClusterMap& map);
+void CreateClusters(const FrameView& view, FrameId newest, const std::vector<FramePoint>& points,
+                    const FrameLabels& labels, ClusterMap& map);
 
 // Adds the observation and label of every landmark seen in the frame `entering`. A landmark whose
 // label changes moves to its new body, together with the observations that agree with that body's

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 namespace cvo {
 
@@ -83,88 +82,17 @@ std::optional<RigidTransform> OwnerPose(int owner, FrameId frame, const ClusterM
 
 namespace {
 
-// A detection that no cluster claims, and the points chosen as its body so far.
-struct OpenBox {
-  int detection = 0;
-  ImageBox box;
-  double angular_size = 0.0;
-  std::vector<int> body;  // indices into the points
-  double fill = 0.0;      // Fill of these points, in [0, 1]
-};
+// Minimum area that a depth range covers in its box, as a fraction of that of the most widely
+// spread range; less is taken for part of something in front (chosen from 0, 0.3 and 0.5 on
+// development rooms).
+constexpr double kMinSpread = 0.5;
 
-// Minimum image area covered by the foreground of a new box, as a fraction of the area covered by
-// the most widely spread depth range; less is taken for part of something in front (chosen
-// from 0, 0.3 and 0.5 on development rooms).
-constexpr double kMinFill = 0.5;
-
-// How much of the box the points (at least one) are spread over: intersection over union of the
-// rectangle around them and the box, in [0, 1].
-double Fill(const ImageBox& box, const std::vector<int>& body, const std::vector<CrfNode>& nodes) {
-  const Eigen::Vector3d& first = nodes[body.front()].z_px;
-  ImageBox spread{first[0], first[1], first[0], first[1]};
-  for (const int i : body) Include(nodes[i].z_px[0], nodes[i].z_px[1], spread);
-  return IntersectionOverUnion(spread, box);
-}
-
-std::vector<OpenBox> OpenBoxes(const FrameView& view, const std::vector<char>& is_claimed) {
-  std::vector<OpenBox> open;
-  for (int m = 0; m < static_cast<int>(is_claimed.size()); ++m) {
-    const ImageBox& box = view.shown.detections[m].box;
-    if (is_claimed[m]) continue;
-    open.push_back({m, box, std::max(box.Width(), box.Height()) / view.camera.fx, {}});
-  }
-  return open;
-}
-
-void ChooseBody(const NewBodyRule& rule, const std::vector<CrfNode>& nodes,
-                const std::vector<char>& is_taken, OpenBox& box) {
-  std::vector<int> inside;
-  std::vector<double> depths;
-  for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
-    if (is_taken[i] || !box.box.Contains(nodes[i].z_px[0], nodes[i].z_px[1])) continue;
-    inside.push_back(i);
-    depths.push_back(nodes[i].p_in_camera.z());
-  }
-  std::vector<std::vector<int>> candidates = rule.candidates(depths, box.angular_size);
-  std::vector<double> fills;
-  for (std::vector<int>& body : candidates) {
-    for (int& k : body) k = inside[k];
-    fills.push_back(Fill(box.box, body, nodes));
-  }
-  box.body.clear();
-  box.fill = 0.0;
-  if (candidates.empty()) return;
-  const double least = kMinFill * *std::max_element(fills.begin(), fills.end());
-  const auto chosen =
-      std::find_if(fills.begin(), fills.end(), [least](double fill) { return fill >= least; });
-  box.body = std::move(candidates[static_cast<std::size_t>(chosen - fills.begin())]);
-  box.fill = *chosen;
-}
-
-// Resolves shared points: processes the boxes in the order of how well their points fill them, and
-// lets each later box that shares points with an earlier one choose anew without them.
-void ShareOut(const NewBodyRule& rule, const std::vector<CrfNode>& nodes,
-              std::vector<char> is_taken, std::vector<OpenBox>& open) {
-  for (auto next = open.begin(); next != open.end(); ++next) {
-    std::iter_swap(next, std::max_element(next, open.end(), [](const OpenBox& a, const OpenBox& b) {
-                     return a.fill < b.fill;
-                   }));
-    for (const int i : next->body) is_taken[i] = 1;
-    for (auto other = next + 1; other != open.end(); ++other) {
-      const bool loses = std::any_of(other->body.begin(), other->body.end(),
-                                     [&](int i) { return is_taken[i] != 0; });
-      if (loses) ChooseBody(rule, nodes, is_taken, *other);
-    }
-  }
-}
-
-CrfLabel::Extent ExtentOf(const std::vector<int>& body, const std::vector<CrfNode>& nodes) {
-  Eigen::Matrix3Xd points(3, static_cast<Eigen::Index>(body.size()));
-  for (std::size_t k = 0; k < body.size(); ++k) {
-    points.col(static_cast<Eigen::Index>(k)) = nodes[body[k]].p_in_camera;
-  }
-  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), points);
-  return {extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
+// Area of the rectangle around the points (at least one), px^2.
+double Spread(const std::vector<int>& body, const std::vector<const CrfNode*>& inside) {
+  const Eigen::Vector3d& first = inside[body.front()]->z_px;
+  ImageBox around{first[0], first[1], first[0], first[1]};
+  for (const int k : body) Include(inside[k]->z_px[0], inside[k]->z_px[1], around);
+  return around.Width() * around.Height();
 }
 
 }  // namespace
@@ -177,23 +105,32 @@ std::vector<std::vector<int>> BodiesOfAllPoints::Candidates(const std::vector<do
   return {all};
 }
 
-std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view,
-                                                           const NewBodyRule& rule,
-                                                           const std::vector<char>& is_claimed,
-                                                           const std::vector<FramePoint>& points,
-                                                           const std::vector<CrfNode>& nodes) {
-  std::vector<char> is_taken;
-  for (const FramePoint& point : points) {
-    is_taken.push_back(point.owner >= 0);
+std::optional<CrfLabel::Extent> FindNewBody(const FrameView& view, NewBodyRule candidates_of,
+                                            const ImageBox& box,
+                                            const std::vector<FramePoint>& points,
+                                            const std::vector<CrfNode>& nodes) {
+  std::vector<const CrfNode*> inside;
+  std::vector<double> depths_m;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].owner >= 0 || !box.Contains(nodes[i].z_px[0], nodes[i].z_px[1])) continue;
+    inside.push_back(&nodes[i]);
+    depths_m.push_back(nodes[i].p_in_camera.z());
   }
-  std::vector<OpenBox> open = OpenBoxes(view, is_claimed);
-  for (OpenBox& box : open) ChooseBody(rule, nodes, is_taken, box);
-  if (!rule.shares_points) ShareOut(rule, nodes, is_taken, open);
-  std::vector<std::optional<CrfLabel::Extent>> bodies(is_claimed.size());
-  for (const OpenBox& box : open) {
-    if (!box.body.empty()) bodies[box.detection] = ExtentOf(box.body, nodes);
+  const std::vector<std::vector<int>> candidates =
+      candidates_of(depths_m, std::max(box.Width(), box.Height()) / view.camera.fx);
+  if (candidates.empty()) return std::nullopt;
+  std::vector<double> spreads;
+  for (const std::vector<int>& body : candidates) spreads.push_back(Spread(body, inside));
+  const double least = kMinSpread * *std::ranges::max_element(spreads);
+  const auto chosen =
+      std::ranges::find_if(spreads, [least](double spread) { return spread >= least; });
+  const std::vector<int>& body = candidates[chosen - spreads.begin()];
+  Eigen::Matrix3Xd columns(3, static_cast<Eigen::Index>(body.size()));
+  for (std::size_t k = 0; k < body.size(); ++k) {
+    columns.col(static_cast<Eigen::Index>(k)) = inside[body[k]]->p_in_camera;
   }
-  return bodies;
+  const PointExtent extent = ExtentAlong(Eigen::Matrix3d::Identity(), columns);
+  return CrfLabel::Extent{extent.center, Eigen::Matrix3d::Identity(), extent.half_size_m};
 }
 
 }  // namespace cvo

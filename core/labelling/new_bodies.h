@@ -50,51 +50,29 @@ const Landmark* FindLandmark(const FramePoint& point, const Window& window, cons
 std::optional<RigidTransform> OwnerPose(int owner, FrameId frame, const ClusterMap& map);
 
 // Policies for which of the points in a box that no cluster claims may be the body: candidate sets
-// of points by depth, in order of preference; and for where the object frame of a new cluster has
-// its origin, given the centre (median) of its points and the centre estimated from its box, both
-// in world. kSharesPoints: whether the bodies of two boxes may share points.
+// of points by depth, in order of preference, as DepthModes.
 
-// Policy: the dense ranges of depths, nearest first; the origin on the ray through the centre of
-// the box, behind the visible surface (METHOD.md 6.1, clusters.birth_depth).
+// Policy: the dense ranges of depths, nearest first (METHOD.md 6.2).
 struct BodiesByDepth {
-  static constexpr bool kSharesPoints = false;
   static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m,
                                                   double angular_size) {
     return DepthModes(depths_m, angular_size);
   }
-  static Eigen::Vector3d Origin(const Eigen::Vector3d&, const Eigen::Vector3d& box_center) {
-    return box_center;
-  }
 };
-// Policy: the paper's, all points, if there are at least kModeMinPoints; the origin
-// at their centre, on the visible surface.
+// Policy: the paper's, all points, if there are at least kModeMinPoints.
 struct BodiesOfAllPoints {
-  static constexpr bool kSharesPoints = true;
   static std::vector<std::vector<int>> Candidates(const std::vector<double>& depths_m, double);
-  static Eigen::Vector3d Origin(const Eigen::Vector3d& centroid, const Eigen::Vector3d&) {
-    return centroid;
-  }
 };
 
 // One of these policies.
-struct NewBodyRule {
-  std::vector<std::vector<int>> (*candidates)(const std::vector<double>&, double);
-  bool shares_points;
-  Eigen::Vector3d (*origin)(const Eigen::Vector3d& centroid, const Eigen::Vector3d& box_center);
-};
-template <typename Policy>
-constexpr NewBodyRule RuleOf() {
-  return {&Policy::Candidates, Policy::kSharesPoints, &Policy::Origin};
-}
+using NewBodyRule = std::vector<std::vector<int>> (*)(const std::vector<double>&, double);
 
-// Returns for each detection the extent of the body in it, from those of its points that belong to
-// no cluster (METHOD.md 6.2). The body is the first candidate that is spread over enough of the
-// box. If boxes share points, the box that they fill best gets them. Empty for detections that a
-// cluster claims or that have no candidate. `nodes` has one entry per point.
-std::vector<std::optional<CrfLabel::Extent>> FindNewBodies(const FrameView& view,
-                                                           const NewBodyRule& rule,
-                                                           const std::vector<char>& is_claimed,
-                                                           const std::vector<FramePoint>& points,
-                                                           const std::vector<CrfNode>& nodes);
+// Returns the extent of the body in a box that no cluster claims, from those of its points that
+// belong to no cluster: of the first candidate that is spread over enough of the box. Empty if
+// there is none. `nodes` has one entry per point.
+std::optional<CrfLabel::Extent> FindNewBody(const FrameView& view, NewBodyRule candidates_of,
+                                            const ImageBox& box,
+                                            const std::vector<FramePoint>& points,
+                                            const std::vector<CrfNode>& nodes);
 
 }  // namespace cvo

@@ -50,8 +50,7 @@ constexpr Steps StepsOf() {
       .extrapolate = &Extrapolate<Motion, Motion>,
       .labels =
           {&ComputeUnaries<typename V::BoxTerm, typename V::AffinityTerm, typename V::MotionTerm>,
-           &InferDenseCrf<typename V::Pairwise>, &V::Confidence::Update,
-           RuleOf<typename V::NewBody>()},
+           &InferDenseCrf<typename V::Pairwise>, &V::Confidence::Update, &V::NewBody::Candidates},
       .advance =
           [](const Options& options, const WindowFrame& entering, Window& window) {
             DoubleTrack<typename V::Frames>(options.window, options.NoiseOfFeatures())

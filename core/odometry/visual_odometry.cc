@@ -147,7 +147,7 @@ class VisualOdometry final : public Odometry {
     const WindowFrame entering{newest_, step.view.world_from_camera,
                                step.view.frame.given.world_from_camera.has_value()};
     AddStates(step.view, newest_, step.cluster_tracks, clusters_);
-    CreateClusters(step.view, steps_.labels.new_body, newest_, step.points, step.labels, clusters_);
+    CreateClusters(step.view, newest_, step.points, step.labels, clusters_);
     const int created = UpdateLandmarks(step.view, entering, step.cluster_tracks, step.points,
                                         step.labels, next_landmark_, window_, clusters_);
     RemoveUnconfirmed(newest_, window_.landmarks);
