@@ -25,6 +25,6 @@ inline Json FolderSuite(const std::string& folder) {
   return json;
 }
 
-inline Suite Parse(const Json& json) { return ParseSuite(json, "s.json"); }
+inline Suite Parse(const Json& json) { return ParseSuite(json, "s.json", "."); }
 
 }  // namespace cvo::test
