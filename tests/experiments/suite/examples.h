@@ -25,6 +25,7 @@ inline Json FolderSuite(const std::string& folder) {
   return json;
 }
 
+// As from a file: names of files and commands are resolved too.
 inline Suite Parse(const Json& json) { return ParseSuite(json, "s.json", "."); }
 
 }  // namespace cvo::test
