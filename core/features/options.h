@@ -12,7 +12,7 @@ struct OrbOptions {
   int features = 1500;         // corners per image
   double reserve = 1.7;        // density of the reserve, relative to that of `features`
   int box_features = 100;      // corners up to which the reserve fills each box
-  int levels = 8;              // pyramid levels
+  int levels = 4;              // pyramid levels
   double scale_factor = 1.2;   // between levels
   int fast_threshold = 20;     // FAST threshold, grey levels
   int fast_threshold_min = 7;  // the same in cells without a corner above fast_threshold

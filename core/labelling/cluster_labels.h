@@ -6,7 +6,7 @@
 
 #include "core/clustering/dense_crf.h"
 #include "core/clustering/unary_terms.h"
-#include "core/labelling/new_bodies.h"
+#include "core/labelling/frame_points.h"
 
 namespace cvo {
 

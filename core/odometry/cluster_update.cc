@@ -7,7 +7,7 @@
 
 #include "core/estimation/camera_solver.h"
 #include "core/estimation/double_track.h"
-#include "core/labelling/new_bodies.h"
+#include "core/labelling/frame_points.h"
 
 namespace cvo {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/lists.h"
 #include "core/labelling/cluster_labels.h"
-#include "core/labelling/new_bodies.h"
+#include "core/labelling/frame_points.h"
 #include "tests/core/labelling/labelled_frame.h"
 
 namespace cvo::label_scene_test {

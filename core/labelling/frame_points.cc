@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ClusterVO-bench authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/labelling/new_bodies.h"
+#include "core/labelling/frame_points.h"
 
 #include <algorithm>
 #include <numeric>
