@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "core/base/lists.h"
 #include "core/estimation/camera_solver.h"
 
 namespace cvo {
@@ -117,6 +118,36 @@ int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster
   return outliers;
 }
 
+namespace {
+
+// Whether all states that the cluster ever had are still there.
+bool HasFirstState(const ClusterMap& map, const Cluster& cluster) {
+  const auto found = map.trajectories.find(cluster.id);
+  if (found == map.trajectories.end() || found->second.poses.empty()) return true;
+  return found->second.poses.front().frame >= cluster.states.front().frame.value;
+}
+
+// Moves the solved body frame such that the landmarks keep their places in it, by the median of
+// their steps. The held pose is otherwise the first one, and if that is wrong, all landmarks move
+// instead of it, away from the places that boxes, past information and unsolved landmarks have.
+void KeepLandmarks(const Cluster& cluster, ClusterSelection& selection) {
+  ClusterProblem& problem = selection.problem;
+  Eigen::Vector3d step;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> steps;
+    for (std::size_t i = 0; i < problem.points.size(); ++i) {
+      const Landmark& landmark = cluster.landmarks[selection.landmarks[i]];
+      steps.push_back(problem.points[i][k] - landmark.p_in_object[k]);
+    }
+    step[k] = Median(std::move(steps));
+  }
+  const RigidTransform old_from_new(Eigen::Quaterniond::Identity(), step);
+  for (Eigen::Vector3d& p : problem.points) p -= step;
+  for (RigidTransform& pose : problem.world_from_object) pose = pose * old_from_new;
+}
+
+}  // namespace
+
 SolverEndings OptimizeClusters(const Options& options, const EnergySteps& steps,
                                const Window& window, TaskPool& pool, ClusterMap& map) {
   // Maximum solves of a cluster: outliers are removed after each, and it is solved again while new
@@ -136,6 +167,7 @@ SolverEndings OptimizeClusters(const Options& options, const EnergySteps& steps,
                            .solve_cluster(options.noise, options.solver,
                                           steps.prior(options.motion_prior, problem), problem)
                            .ending);
+      if (HasFirstState(map, map.live[q])) KeepLandmarks(map.live[q], selection);
       if (ApplyClusterSolution(steps.gate(options.noise), selection, map.live[q]) == 0) return;
     }
   });
