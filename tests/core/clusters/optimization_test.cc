@@ -294,5 +294,21 @@ TEST(OptimizeClusters, RemovesOutliersOfTheLastFrame) {
   EXPECT_LT(body.LastError_m(), 1e-4);
 }
 
+TEST(OptimizeClusters, AWrongFirstPoseOfAYoungBodyMovesInsteadOfItsLandmarks) {
+  constexpr double kError_m = 0.005;
+  for (const bool is_young : {true, false}) {
+    Moving body;
+    Cluster& cluster = body.map.live[0];
+    cluster.states.back().world_from_object = Moving::Truth(kFrames - 1);
+    cluster.states.front().world_from_object = Moving::Truth(0) * Moving::At(kError_m);
+    ClusterPose first;
+    first.frame = is_young ? 0 : -1;
+    body.map.trajectories[cluster.id].poses.push_back(first);
+    const Eigen::Vector3d before = cluster.landmarks[0].p_in_object;
+    for (int i = 0; i < 10; ++i) body.Optimize();
+    EXPECT_NEAR(before.x() - cluster.landmarks[0].p_in_object.x(), is_young ? 0.0 : kError_m, 1e-4);
+  }
+}
+
 }  // namespace
 }  // namespace cvo::optimization_test
