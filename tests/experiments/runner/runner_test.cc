@@ -234,7 +234,7 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
   Options options;
   options.stereo.right_features = 2.0;
   // Fewer than the tiny images have, so that the number in the right image matters.
-  options.orb.features = 60;
+  options.orb.features = 40;
   TaskPool pool(1);
   const std::vector<StereoFeature> features =
       FrameSource({sequence_, options, {}}, pool).Next().features;
@@ -250,7 +250,7 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
 
 TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
   Options options;
-  options.orb.features = 60;
+  options.orb.features = 40;
   options.orb.box_features = 50;
   ObjectBox box;
   box.frame = sequence_.first_frame;
