@@ -48,7 +48,7 @@ TEST(Regression, SpoiledEstimatorIsCaught) {
   const std::string suite = temp.Write("short.json", R"({
     "name": "short", "about": "for this test",
     "sequences": [{"scene": "tiny", "detections": "good"}],
-    "variants": ["full", "static"], "seeds": 8,
+    "variants": ["full", "static"], "seeds": 12,
     "table": {"metrics": ["camera_ate", "object_success_10cm", "moving_recall"]}
   })");
   const std::string good = (temp.path() / "good").string();
