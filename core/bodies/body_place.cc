@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/association/box_association.h"
-#include "core/base/lists.h"
 #include "core/bodies/body_boxes.h"
+#include "core/clustering/point_extent.h"
 
 namespace cvo {
 
@@ -228,16 +228,6 @@ double SurfaceShift(const std::vector<Eigen::Vector3d>& points, const BoxShape& 
   const auto rank = static_cast<std::ptrdiff_t>(kForemost * static_cast<double>(behind_m.size()));
   std::nth_element(behind_m.begin(), behind_m.begin() + rank, behind_m.end());
   return behind_m[static_cast<std::size_t>(rank)];
-}
-
-Eigen::Vector3d MedianPoint(const std::vector<Eigen::Vector3d>& points) {
-  Eigen::Vector3d median;
-  for (int k = 0; k < 3; ++k) {
-    std::vector<double> values;
-    for (const Eigen::Vector3d& p : points) values.push_back(p[k]);
-    median[k] = Median(std::move(values));
-  }
-  return median;
 }
 
 bool IsDetected(const Cluster& cluster, FrameId newest) {

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "core/base/error.h"
+#include "core/base/lists.h"
 
 namespace cvo {
 
@@ -214,6 +216,16 @@ void FixSigns(Eigen::Matrix3d& axes) {
 }
 
 }  // namespace
+
+Eigen::Vector3d MedianPoint(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::Vector3d median;
+  for (int k = 0; k < 3; ++k) {
+    std::vector<double> values;
+    for (const Eigen::Vector3d& p : points) values.push_back(p[k]);
+    median[k] = Median(std::move(values));
+  }
+  return median;
+}
 
 PointExtent ExtentAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points) {
   CheckNotEmpty(points);

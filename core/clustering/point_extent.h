@@ -27,6 +27,9 @@ struct PointExtent {
 // there are no points.
 PointExtent ExtentAlong(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points);
 
+// Returns the median of each coordinate of at least one point.
+Eigen::Vector3d MedianPoint(const std::vector<Eigen::Vector3d>& points);
+
 // Returns points_from_axes: the origin is the median of the points, the axes are the principal axes
 // of their inliers, longest first (METHOD.md 6.1). The largest component of the first and second
 // axis is positive. The rotation is the identity if two variances are similar. Throws Error if

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
-#include "core/base/lists.h"
+#include "core/clustering/point_extent.h"
 #include "core/estimation/camera_solver.h"
 
 namespace cvo {
@@ -132,15 +132,11 @@ bool HasFirstState(const ClusterMap& map, const Cluster& cluster) {
 // instead of it, away from the places that boxes, past information and unsolved landmarks have.
 void KeepLandmarks(const Cluster& cluster, ClusterSelection& selection) {
   ClusterProblem& problem = selection.problem;
-  Eigen::Vector3d step;
-  for (int k = 0; k < 3; ++k) {
-    std::vector<double> steps;
-    for (std::size_t i = 0; i < problem.points.size(); ++i) {
-      const Landmark& landmark = cluster.landmarks[selection.landmarks[i]];
-      steps.push_back(problem.points[i][k] - landmark.p_in_object[k]);
-    }
-    step[k] = Median(std::move(steps));
+  std::vector<Eigen::Vector3d> steps;
+  for (std::size_t i = 0; i < problem.points.size(); ++i) {
+    steps.push_back(problem.points[i] - cluster.landmarks[selection.landmarks[i]].p_in_object);
   }
+  const Eigen::Vector3d step = MedianPoint(steps);
   const RigidTransform old_from_new(Eigen::Quaterniond::Identity(), step);
   for (Eigen::Vector3d& p : problem.points) p -= step;
   for (RigidTransform& pose : problem.world_from_object) pose = pose * old_from_new;

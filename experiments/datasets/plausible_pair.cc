@@ -17,7 +17,8 @@ SeenImage See(const Sequence& sequence, std::size_t index, int side) {
   SeenImage seen;
   const cv::Mat grey = LoadFrameImage(sequence, index, side).grey;
   if (grey.empty()) return seen;
-  seen.corners = ExtractOrb(grey, {.features = 1000}).keypoints;
+  // Whatever the estimator uses: with more corners of fine levels, some match by chance.
+  seen.corners = ExtractOrb(grey, {.features = 1000, .levels = 8}).keypoints;
   const double scale = std::min(0.5, 640.0 / grey.cols);
   cv::resize(grey, seen.small, cv::Size(), scale, scale, cv::INTER_AREA);
   cv::minMaxLoc(grey, nullptr, &seen.brightest);

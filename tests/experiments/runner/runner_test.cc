@@ -250,7 +250,7 @@ TEST_F(Runner, ExtractsTheFeaturesOfTheFrontEnd) {
 
 TEST_F(Runner, ExtractsAdditionalCornersInDetections) {
   Options options;
-  options.orb.features = 40;
+  options.orb.features = 60;
   options.orb.box_features = 50;
   ObjectBox box;
   box.frame = sequence_.first_frame;
