@@ -88,7 +88,7 @@ ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
   return selection;
 }
 
-int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster) {
+void ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster) {
   const ClusterProblem& problem = selection.problem;
   std::vector<RigidTransform> camera_from_object;
   for (std::size_t k = 0; k < selection.states.size(); ++k) {
@@ -102,7 +102,6 @@ int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster
     Landmark& landmark = cluster.landmarks[selection.landmarks[k]];
     landmark.p_in_object = problem.points[k];
   }
-  int outliers = 0;
   for (const ReprojectionFactor& factor : problem.factors) {
     const PointMeasurement m{problem.points[factor.point], factor.z_px, factor.sqrt_information};
     const auto error = WhitenedError(problem.camera, m, camera_from_object[factor.pose]);
@@ -110,12 +109,10 @@ int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster
     const FrameId frame = cluster.states[selection.states[factor.pose]].frame;
     std::erase_if(cluster.landmarks[selection.landmarks[factor.point]].observations,
                   [&](const Observation& seen) { return seen.frame == frame; });
-    ++outliers;
   }
   std::erase_if(cluster.landmarks, [](const Landmark& landmark) {
     return landmark.observations.empty() && landmark.past_information.isZero();
   });
-  return outliers;
 }
 
 namespace {
@@ -146,26 +143,19 @@ void KeepLandmarks(const Cluster& cluster, ClusterSelection& selection) {
 
 SolverEndings OptimizeClusters(const Options& options, const EnergySteps& steps,
                                const Window& window, TaskPool& pool, ClusterMap& map) {
-  // Maximum solves of a cluster: outliers are removed after each, and it is solved again while new
-  // ones are found.
-  constexpr int kRounds = 3;
   SolverEndings total;
   if (window.temporal.empty()) return total;
   const FrameId newest = window.temporal.back().id;
   std::vector<SolverEndings> endings(map.live.size());
   pool.ParallelFor(static_cast<int>(map.live.size()), [&](int q) {
     if (map.live[q].last_observed != newest) return;
-    for (int round = 0; round < kRounds; ++round) {
-      ClusterSelection selection = SelectCluster(options.NoiseOfFeatures(), window, map.live[q]);
-      if (selection.landmarks.empty()) return;
-      ClusterProblem& problem = selection.problem;
-      endings[q].Count(steps
-                           .solve_cluster(options.noise, options.solver,
-                                          steps.prior(options.motion_prior, problem), problem)
-                           .ending);
-      if (HasFirstState(map, map.live[q])) KeepLandmarks(map.live[q], selection);
-      if (ApplyClusterSolution(steps.gate(options.noise), selection, map.live[q]) == 0) return;
-    }
+    ClusterSelection selection = SelectCluster(options.NoiseOfFeatures(), window, map.live[q]);
+    if (selection.landmarks.empty()) return;
+    ClusterProblem& problem = selection.problem;
+    const MotionPriorSteps prior = steps.prior(options.motion_prior, problem);
+    endings[q].Count(steps.solve_cluster(options.noise, options.solver, prior, problem).ending);
+    if (HasFirstState(map, map.live[q])) KeepLandmarks(map.live[q], selection);
+    ApplyClusterSolution(steps.gate(options.noise), selection, map.live[q]);
   });
   for (const SolverEndings& of_cluster : endings) total += of_cluster;
   return total;

@@ -32,8 +32,7 @@ ClusterSelection SelectCluster(const FeatureNoise& noise, const Window& window,
                                const Cluster& cluster);
 
 // Writes the solution back and removes observations whose squared whitened error exceeds `gate`.
-// Returns their number.
-int ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster);
+void ApplyClusterSolution(double gate, const ClusterSelection& selection, Cluster& cluster);
 
 // The steps of the optimisation in which variants differ.
 struct EnergySteps {

@@ -92,10 +92,8 @@ PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_n
                                 Extrapolation& extrapolate, const MotionPriorOptions& motion) {
   const std::int64_t origin_ns = cluster.Latest().timestamp_ns;
   const double dt_s = SecondsBetween(origin_ns, timestamp_ns);
-  std::vector<MotionState> states;  // the last two, or the only one
-  for (std::size_t i = std::max<std::size_t>(cluster.states.size(), 2) - 2;
-       i < cluster.states.size(); ++i) {
-    const ClusterState& state = cluster.states[i];
+  std::vector<MotionState> states;
+  for (const ClusterState& state : cluster.states) {
     states.push_back({SecondsBetween(origin_ns, state.timestamp_ns), state.world_from_object,
                       state.velocity_m_s});
   }
@@ -103,7 +101,7 @@ PredictedCluster PredictCluster(const Cluster& cluster, std::int64_t timestamp_n
   const double turn =
       dt_s * FallingDeviation(kFirstTurn_rad_s, kTurnDeviation_rad_s, cluster.frames);
   const PredictedMotion extrapolated = extrapolate(motion, states, dt_s);
-  return {extrapolated.world_from_object, cluster.Latest().velocity_m_s,
+  return {extrapolated.state.world_from_object, extrapolated.state.velocity_m_s,
           AddedVariance(extrapolated.power_density_m2_s3, speed, dt_s), turn * turn};
 }
 

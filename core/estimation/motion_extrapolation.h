@@ -18,7 +18,7 @@ struct MotionState {
 };
 
 struct PredictedMotion {
-  RigidTransform world_from_object;
+  MotionState state;
   double power_density_m2_s3 = 0.0;  // q, for the step
 };
 
@@ -29,48 +29,46 @@ inline double AddedVariance(double power_density_m2_s3, double speed_deviation_m
          dt_s * dt_s * (speed_deviation_m_s * speed_deviation_m_s);
 }
 
-// Predicts the orientation of a body.
+// Predicts the state of a body after its last one; the states are as for Extrapolate.
 template <typename Policy>
-concept RotationPolicy = requires(std::span<const MotionState> states, double time_s) {
-  { Policy::Rotation(states, time_s) } -> std::same_as<Eigen::Quaterniond>;
+concept PathPolicy = requires(std::span<const MotionState> states, double time_s) {
+  { Policy::StateAt(states, time_s) } -> std::same_as<MotionState>;
 };
 
-// Policy: the body keeps the angular velocity between its last two states.
-struct ConstantAngularVelocity {
-  static Eigen::Quaterniond Rotation(std::span<const MotionState> states, double time_s);
+// Policy: the body keeps its velocity and the angular velocity between its last two states. Over a
+// gap, the point that moved most evenly so far continues its line, and the body keeps its mean
+// angular velocity (METHOD.md 4.2).
+struct ConstantMotion {
+  static MotionState StateAt(std::span<const MotionState> states, double time_s);
 };
-// Policy: the body does not turn (the paper's prediction moves points only by their cluster's
-// velocity).
+// Policy: the body keeps its velocity and does not turn (the paper's prediction moves points only
+// by their cluster's velocity).
 struct HeldRotation {
-  static Eigen::Quaterniond Rotation(std::span<const MotionState> states, double time_s);
+  static MotionState StateAt(std::span<const MotionState> states, double time_s);
 };
 
 // How a body moves, as assumed by its prediction and by the solver.
 template <typename Policy>
-concept BodyMotionPolicy = MotionPriorPolicy<Policy> && RotationPolicy<Policy>;
+concept BodyMotionPolicy = MotionPriorPolicy<Policy> && PathPolicy<Policy>;
 
 // Policy: white noise on the acceleration and on the angular acceleration (METHOD.md 8.2, 8.3).
-struct WhiteNoiseMotion : WhiteNoiseOnAcceleration, ConstantAngularVelocity {};
+struct WhiteNoiseMotion : WhiteNoiseOnAcceleration, ConstantMotion {};
 // Policy: white noise on the acceleration, with the paper's density per frame; predicted bodies do
 // not turn.
 struct FrameNoiseMotion : WhiteNoiseOnAccelerationFrameUnits, HeldRotation {};
 // Policies: without the prior on orientations, without that on positions, and without any.
-struct TranslationNoiseMotion : WhiteNoiseOnTranslation, ConstantAngularVelocity {};
-struct TurnNoiseMotion : WithTurnPrior<NoMotionPrior>, ConstantAngularVelocity {};
-struct FreeMotion : NoMotionPrior, ConstantAngularVelocity {};
+struct TranslationNoiseMotion : WhiteNoiseOnTranslation, ConstantMotion {};
+struct TurnNoiseMotion : WithTurnPrior<NoMotionPrior>, ConstantMotion {};
+struct FreeMotion : NoMotionPrior, ConstantMotion {};
 
-// Predicts the body's motion at time_s, its position as t + v dt. Throws Error if time_s is not
-// after the last of its states (at least one; oldest first, times increasing).
-template <MotionPriorPolicy MotionPrior, RotationPolicy RotationModel>
+// Predicts the body's motion at time_s. Throws Error if time_s is not after the last of its states
+// (at least one; oldest first, times increasing).
+template <MotionPriorPolicy MotionPrior, PathPolicy Path>
 PredictedMotion Extrapolate(const MotionPriorOptions& options, std::span<const MotionState> states,
                             double time_s) {
-  const MotionState& last = states.back();
-  const double dt = time_s - last.time_s;
+  const double dt = time_s - states.back().time_s;
   Require(dt > 0.0, "Extrapolate: time_s must be after the last state");
-  return {RigidTransform(
-              RotationModel::Rotation(states, time_s),
-              Eigen::Vector3d(last.world_from_object.translation() + last.velocity_m_s * dt)),
-          MotionPrior::PowerDensity(options, dt)};
+  return {Path::StateAt(states, time_s), MotionPrior::PowerDensity(options, dt)};
 }
 
 }  // namespace cvo

@@ -308,9 +308,9 @@ TEST(RematchInBox, AClusterThatIsNotFoundKeepsItsBoxWhileItIsNewOrItsPlaceIsKnow
     EXPECT_EQ(tracks[0].is_tracked, tracks[0].detection == 0);
     return tracks[0].is_tracked;
   };
-  EXPECT_TRUE(keeps(0.099));
-  EXPECT_FALSE(keeps(0.101));
-  EXPECT_TRUE(keeps(0.101, 2));
+  EXPECT_TRUE(keeps(0.399));
+  EXPECT_FALSE(keeps(0.401));
+  EXPECT_TRUE(keeps(0.401, 2));
 }
 
 TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
@@ -322,7 +322,7 @@ TEST(PredictCluster, ExtrapolatesWithGrowingUncertainty) {
                     StateAt(10, At(0.2, 0.0, 5.0, 0.3), {1.0, 0.0, 0.5})};
   const auto predict = [&](std::int64_t frame) {
     return PredictCluster(cluster, frame * kInterval_ns,
-                          Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>, motion);
+                          Extrapolate<WhiteNoiseOnAcceleration, ConstantMotion>, motion);
   };
   const PredictedCluster next = predict(11);
   EXPECT_LT(next.world_from_object.Minus(At(0.3, 0.0, 5.05, 0.4)).norm(), 1e-12);

@@ -105,10 +105,40 @@ TEST(Extrapolate, FollowsConstantTranslationAndRotation) {
   const std::array<MotionState, 3> states = {TurningBody(0.0), TurningBody(0.1), TurningBody(0.3)};
   for (const double time_s : {0.35, 0.4, 1.0}) {
     const PredictedMotion predicted =
-        Extrapolate<WhiteNoiseOnAcceleration, ConstantAngularVelocity>({}, states, time_s);
+        Extrapolate<WhiteNoiseOnAcceleration, ConstantMotion>({}, states, time_s);
     const MotionState truth = TurningBody(time_s);
-    EXPECT_LT(predicted.world_from_object.Minus(truth.world_from_object).norm(), 1e-9);
+    EXPECT_LT(predicted.state.world_from_object.Minus(truth.world_from_object).norm(), 1e-9);
   }
+}
+
+TEST(Extrapolate, AcrossAGapTheCentreOfARollingBodyGoesStraightOn) {
+  const Eigen::Vector3d center_in_object(0.3, 0.1, 0.0);
+  const Eigen::Vector3d turn_rad_s(0.0, 0.0, 1.5);
+  const Eigen::Vector3d speed_m_s(0.45, 0.0, 0.1);
+  const auto state_at = [&](double time_s) {
+    const Eigen::Quaterniond rotation = ExpSo3(turn_rad_s * time_s);
+    const Eigen::Vector3d lever = rotation * center_in_object;
+    return MotionState{time_s,
+                       {rotation, Eigen::Vector3d(time_s * speed_m_s - lever)},
+                       speed_m_s - turn_rad_s.cross(lever)};
+  };
+  std::vector<MotionState> states;
+  for (int i = 0; i < 12; ++i) states.push_back(state_at(0.1 * i));
+  const auto off_center_m = [&](double time_s) {
+    const auto predicted =
+        Extrapolate<WhiteNoiseOnAcceleration, ConstantMotion>({}, states, time_s);
+    EXPECT_LT(RotationAngle(predicted.state.world_from_object.rotation() *
+                            state_at(time_s).world_from_object.rotation().conjugate()),
+              1e-6);
+    return (predicted.state.world_from_object * center_in_object - time_s * speed_m_s).norm();
+  };
+  EXPECT_LT(off_center_m(2.1), 0.03);  // the origin, on a line, would be off by 0.4 m
+  states.back().velocity_m_s.setZero();
+  EXPECT_LT(off_center_m(2.1), 0.03);
+  EXPECT_GT(off_center_m(1.2), 0.03) << "the next frame follows the last velocity";
+  states.resize(3);
+  states.back().velocity_m_s.setZero();
+  EXPECT_GT(off_center_m(1.2), 0.3) << "three states do not tell";
 }
 
 TEST(Extrapolate, VarianceGrowsWithNoiseAndVelocity) {
