@@ -113,7 +113,7 @@ TEST(Extrapolate, FollowsConstantTranslationAndRotation) {
 
 TEST(Extrapolate, AcrossAGapTheCentreOfARollingBodyGoesStraightOn) {
   const Eigen::Vector3d center_in_object(0.3, 0.1, 0.0);
-  const Eigen::Vector3d turn_rad_s(0.0, 0.0, 1.5);
+  const Eigen::Vector3d turn_rad_s(0.0, 0.0, 2.5);
   const Eigen::Vector3d speed_m_s(0.45, 0.0, 0.1);
   const auto state_at = [&](double time_s) {
     const Eigen::Quaterniond rotation = ExpSo3(turn_rad_s * time_s);
@@ -132,9 +132,9 @@ TEST(Extrapolate, AcrossAGapTheCentreOfARollingBodyGoesStraightOn) {
               1e-6);
     return (predicted.state.world_from_object * center_in_object - time_s * speed_m_s).norm();
   };
-  EXPECT_LT(off_center_m(2.1), 0.03);  // the origin, on a line, would be off by 0.4 m
+  EXPECT_LT(off_center_m(2.1), 0.06);  // with the last velocity of the origin: 0.5 m
   states.back().velocity_m_s.setZero();
-  EXPECT_LT(off_center_m(2.1), 0.03);
+  EXPECT_LT(off_center_m(2.1), 0.06);
   EXPECT_GT(off_center_m(1.2), 0.03) << "the next frame follows the last velocity";
   states.resize(3);
   states.back().velocity_m_s.setZero();
