@@ -293,8 +293,8 @@ TEST(Given, LabelsAreObeyed) {
 
 TEST(Given, BoxesSeparateBodiesAgainstAllOtherEvidence) {
   // The body turns around and jumps aside while hidden, for less and for more than live_frames, but
-  // too long for a relaunch.
-  // None of its landmarks tells where its former frame is now, so it returns as another cluster.
+  // too long for a relaunch. None of its landmarks tells where its former frame is now, so it
+  // returns as another cluster.
   for (const int hidden : {12, 18}) {
     std::vector<test::MovingBody> bodies = test::TwoBodies();
     const auto walk = bodies[0].world_from_body;
