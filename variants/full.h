@@ -20,7 +20,6 @@ struct Full {
   using LandmarkAssociation = ProbabilisticAssociation;
   using Boxes = BoundedBoxes;
   using BoxRematch = RematchInBox;
-  using Identity = InheritLostIdentity;
   // Section 3.2.
   using BoxTerm = Box2dTerm;
   using AffinityTerm = cvo::AffinityTerm;

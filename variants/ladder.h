@@ -71,9 +71,10 @@ inline constexpr Rung kLadder[] = {
      Default<&Options::clusters, &ClusterOptions::max_past_observations>},
     {"trace_back", "new clusters are also searched for in earlier frames",
      Default<&Options::clusters, &ClusterOptions::trace_states>},
-    {"identity",
-     "a cluster that is not found keeps its box only while it is new or its prediction is good; a "
-     "new cluster that shares landmarks with a lost one takes over its id and its body frame"}};
+    {"relaunch",
+     "a lost cluster is kept for 45 frames, and is relaunched in its box only while its prediction "
+     "is good",
+     Default<&Options::clusters, &ClusterOptions::live_frames>}};
 inline constexpr std::size_t kRungs = std::size(kLadder);
 inline constexpr std::uint32_t kAllRungs = (1U << kRungs) - 1U;
 
@@ -98,8 +99,7 @@ struct PaperWith : Paper {
   using BodyMotion =
       std::conditional_t<HasRung(kSet, "body_motion"), Full::BodyMotion, Paper::BodyMotion>;
   using BoxRematch =
-      std::conditional_t<HasRung(kSet, "identity"), Full::BoxRematch, Paper::BoxRematch>;
-  using Identity = std::conditional_t<HasRung(kSet, "identity"), Full::Identity, Paper::Identity>;
+      std::conditional_t<HasRung(kSet, "relaunch"), Full::BoxRematch, Paper::BoxRematch>;
 
   static void SetDefaults(Options& options) {
     Paper::SetDefaults(options);

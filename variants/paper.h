@@ -17,7 +17,6 @@ struct Paper {
   using LandmarkAssociation = ProbabilisticAssociation;
   using Boxes = PrintedBoxWeights;
   using BoxRematch = RematchAndRelaunch;
-  using Identity = AlwaysNewIdentity;
   // Section 3.2.
   using BoxTerm = DetectedBox2dTerm;
   using AffinityTerm = cvo::AffinityTerm;
@@ -41,6 +40,7 @@ struct Paper {
     options.clusters.box_half_size = 0.0;
     options.clusters.confirm_detections = 1;
     options.clusters.undetected_frames = 0;
+    options.clusters.live_frames = 0;
     options.orb.reserve = 0.0;
     options.stereo.max_row_correction_px = 0.0;
     options.noise.right_mean_px = 0.0;

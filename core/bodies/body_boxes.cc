@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/lists.h"
 #include "core/bodies/body_place.h"
 
 namespace cvo {
@@ -310,10 +311,9 @@ void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& repo
     reports[q].score = ScoreOf(scene.options, scene.view, scene.newest, cluster);
   }
   // Forget clusters that cannot come back.
-  const ClusterMap& clusters = scene.clusters;
-  if (tracks_.size() <= 2 * (clusters.live.size() + clusters.archived.size())) return;
-  std::erase_if(tracks_,
-                [&](const auto& track) { return FindCluster(clusters, track.first) == nullptr; });
+  std::erase_if(tracks_, [&](const auto& track) {
+    return FindBy(scene.clusters.live, &Cluster::id, track.first) == nullptr;
+  });
 }
 
 }  // namespace cvo

@@ -45,18 +45,19 @@ namespace {
 // prediction.
 bool IsSettled(const Cluster& cluster) { return cluster.states.size() >= 3; }
 
-// Whether the pose shows the cluster: after a gap, a few inliers must be at least half of the
-// matches and agree with the prediction (METHOD.md 4.4).
+// Whether the pose shows the cluster. After a gap, a few of many matches agree by chance
+// (METHOD.md 4.4).
 bool IsFound(const FrameView& view, FrameId newest, const Cluster& cluster,
              const PredictedCluster& predicted, const CameraSolution& solution) {
   FrameId seen;
   for (const Landmark& landmark : cluster.landmarks) seen = std::max(seen, landmark.last_seen);
   const bool is_gap = newest.value - seen.value > 1;
-  if (!is_gap || solution.inliers >= view.options.association.min_rematch) return true;
-  return solution.HalfAgrees() &&
-         AgreesWithPrediction(predicted,
-                              view.world_from_camera * solution.world_from_camera.Inverse(),
-                              view.options.noise.gate);
+  if (!is_gap) return true;
+  const bool are_many = solution.inliers >= view.options.association.min_rematch;
+  const bool is_expected =
+      AgreesWithPrediction(predicted, view.world_from_camera * solution.world_from_camera.Inverse(),
+                           view.options.noise.gate);
+  return are_many + is_expected + solution.HalfAgrees() >= 2;
 }
 
 // Splits the matches by cluster, drops those that contradict given labels, estimates each

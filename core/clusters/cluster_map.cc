@@ -49,11 +49,6 @@ void AddKnowledge(const PointKnowledge& knowledge, double keep, Landmark& landma
 
 }  // namespace
 
-const Cluster* FindCluster(const ClusterMap& map, ClusterId id) {
-  const Cluster* live = FindBy(map.live, &Cluster::id, id);
-  return live != nullptr ? live : FindBy(map.archived, &Cluster::id, id);
-}
-
 void AbsorbObservations(const Window& window, const WindowFrame& leaving, const FeatureNoise& noise,
                         const ClusterOptions& options, Cluster& cluster) {
   const ClusterState* state = FindState(cluster, leaving.id);
@@ -128,14 +123,11 @@ void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& optio
     const bool is_gone = unseen >= live_frames || LooksStatic(undetected, options, cluster);
     if (!is_confirmed && (is_gone || undetected >= options.confirm_frames)) {
       map.trajectories.erase(cluster.id);
-    } else if (is_gone) {
-      map.archived.push_back(cluster);  // a copy, without spare capacity
-    } else {
+    } else if (!is_gone) {
       live.push_back(std::move(cluster));
     }
   }
   map.live = std::move(live);
-  while (static_cast<int>(map.archived.size()) > options.archived) map.archived.pop_front();
 }
 
 std::vector<ClusterTrajectory> ConfirmedTrajectories(const ClusterMap& map,

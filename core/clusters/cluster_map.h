@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
 #include <map>
 #include <vector>
 
@@ -33,13 +32,9 @@ using TakenFeatures = std::vector<char>;
 // The part of the estimator's state that describes moving bodies.
 struct ClusterMap {
   std::vector<Cluster> live;                            // sorted by id; some not yet confirmed
-  std::deque<Cluster> archived;                         // most recently archived last
   std::map<ClusterId, ClusterTrajectory> trajectories;  // of live clusters and confirmed past ones
   ClusterId next{1};
 };
-
-// Searches live and archived clusters. Null if there is none with this id.
-const Cluster* FindCluster(const ClusterMap& map, ClusterId id);
 
 inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
   return cluster.detections >= options.confirm_detections || cluster.given_body.valid();
@@ -49,13 +44,6 @@ inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
 // a twelfth of the body's size (set by hand on the rendered rooms, not swept).
 inline double PointDeviation_m(const Cluster& cluster) {
   return 0.4 * cluster.half_size_m.maxCoeff();
-}
-
-// Whether a detection in the newest frame confirmed the cluster. It may still be identified as a
-// lost cluster (InheritLostIdentity).
-inline bool IsJustConfirmed(const Cluster& cluster, const ClusterOptions& options, FrameId newest) {
-  return IsConfirmed(cluster, options) && cluster.detections == options.confirm_detections &&
-         cluster.last_detected == newest && cluster.last_observed == newest;
 }
 
 // Returns the first pose in `frame` or later, as an iterator. Poses are sorted by frame.
@@ -76,10 +64,10 @@ void AbsorbObservations(const Window& window, const WindowFrame& leaving, const 
 void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& options,
                  Cluster& cluster);
 
-// Archives clusters that were not observed for live_frames frames, or that stand still and were not
-// detected for options.undetected_frames frames, nor for as many as they were ever detected in.
-// Unconfirmed clusters are dropped instead, also if they were not detected for
-// options.confirm_frames frames.
+// Removes clusters that were not observed for live_frames frames, or that stand still and were not
+// detected for options.undetected_frames frames, nor for as many as they were ever detected in; and
+// unconfirmed ones, with their trajectories, if they were not detected for options.confirm_frames
+// frames.
 void RetireClusters(FrameId newest, int live_frames, const ClusterOptions& options,
                     ClusterMap& map);
 

@@ -106,12 +106,8 @@ FrameId FirstTracked(const Window& window, const Cluster& cluster) {
 // cluster was tracked, which is excluded. Empty unless the search is due.
 std::vector<FrameId> FramesToTrace(const ClusterOptions& options, const Window& window,
                                    const ClusterTrajectory& trajectory, const Cluster& cluster) {
-  const FrameId newest = window.temporal.back().id;
   const FrameId first = FirstTracked(window, cluster);
-  // A cluster confirmed in this frame may still be identified as a lost one (InheritLostIdentity).
-  const bool is_settled =
-      IsConfirmed(cluster, options) && !IsJustConfirmed(cluster, options, newest);
-  if (options.trace_states == 0 || !first.valid() || !is_settled) return {};
+  if (options.trace_states == 0 || !first.valid() || !IsConfirmed(cluster, options)) return {};
   std::vector<FrameId> frames;
   int states = 0;
   for (auto frame = window.temporal.rbegin(); frame != window.temporal.rend(); ++frame) {

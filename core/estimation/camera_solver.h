@@ -13,13 +13,6 @@
 
 namespace cvo {
 
-// Estimates to_from_from from pairs of points (columns) that may contain many outliers. Each
-// hypothesis is fixed by three pairs. The one with the most pairs within max_distance_m is refitted
-// to these pairs. Empty if no hypothesis has min_inliers of them.
-std::optional<RigidTransform> AlignPointsRansac(const Eigen::Matrix3Xd& from,
-                                                const Eigen::Matrix3Xd& to, double max_distance_m,
-                                                int min_inliers, int iterations, Rng& rng);
-
 // A point of known position, observed in the frame whose camera pose is to be estimated.
 struct PointMeasurement {
   Eigen::Vector3d p_in_world = Eigen::Vector3d::Zero();

@@ -73,7 +73,7 @@ struct ClusterState {
 };
 
 // Estimate of a rigid body that moves or may move. Its body frame is arbitrary: it is chosen at
-// birth and kept, unless the cluster turns out to continue a lost one (METHOD.md 6.5).
+// birth and kept.
 struct Cluster {
   ClusterId id;
   std::string category;

@@ -53,8 +53,7 @@ struct ClusterOptions {
   int confirm_frames = 5;
   int undetected_frames = 15;
   int min_tracked = 4;
-  int live_frames = 0;
-  int archived = 20;
+  int live_frames = 45;
   int max_landmarks = 800;
   double max_past_observations = 30.0;
   // Factor on a cluster's score per frame without a detection (METHOD.md 10.1).
@@ -84,7 +83,7 @@ struct ClusterOptions {
     visit.Field("undetected_frames", self.undetected_frames,
                 {"frames", 0, 1000,
                  "least number of frames without a detection after which a cluster that stands "
-                 "still is archived; 0: never",
+                 "still is removed; 0: never",
                  "METHOD.md 6.4"});
     visit.Field(
         "min_tracked", self.min_tracked,
@@ -93,14 +92,9 @@ struct ClusterOptions {
          "three fix the pose, the fourth checks it"});
     visit.Field("live_frames", self.live_frames,
                 {"frames", 0, 1000,
-                 "number of frames L after which an unobserved cluster is archived; until then it "
-                 "is predicted; 0: window.temporal",
-                 "paper, section 4.1: L = |T_t|"});
-    visit.Field("archived", self.archived,
-                {"clusters", 0, 1000,
-                 "maximum number of archived clusters whose identity a new one may take over, most "
-                 "recent first",
-                 "bounds time and memory"});
+                 "number of frames L after which an unobserved cluster is removed; until then it "
+                 "is predicted; 0: window.temporal, as in the paper (section 4.1)",
+                 "METHOD.md 6.4: spans an occlusion of one second at 30 Hz"});
     visit.Field("max_landmarks", self.max_landmarks,
                 {"landmarks", 10, 100000,
                  "maximum landmarks of one cluster; those unseen for longest are removed first",

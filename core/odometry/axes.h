@@ -8,7 +8,6 @@
 #include "core/base/task_pool.h"
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_optimization.h"
-#include "core/clusters/identity.h"
 #include "core/estimation/double_track.h"
 #include "core/estimation/motion_extrapolation.h"
 #include "core/interface/frame.h"
@@ -20,12 +19,11 @@ namespace cvo {
 // The axes along which variants differ. Two variants with the same axes are the same estimator,
 // whatever their options. A variant that lacks an axis does not compile.
 template <typename V>
-using AxesOf =
-    std::tuple<typename V::Detections, typename V::LandmarkAssociation, typename V::Boxes,
-               typename V::BoxRematch, typename V::Identity, typename V::BoxTerm,
-               typename V::AffinityTerm, typename V::MotionTerm, typename V::NewBody,
-               typename V::Pairwise, typename V::Confidence, typename V::BodyMotion,
-               typename V::Outliers, typename V::Frames, typename V::Solver>;
+using AxesOf = std::tuple<typename V::Detections, typename V::LandmarkAssociation,
+                          typename V::Boxes, typename V::BoxRematch, typename V::BoxTerm,
+                          typename V::AffinityTerm, typename V::MotionTerm, typename V::NewBody,
+                          typename V::Pairwise, typename V::Confidence, typename V::BodyMotion,
+                          typename V::Outliers, typename V::Frames, typename V::Solver>;
 
 // The functions of a variant's policies, in the order in which a frame needs them.
 struct Steps {
@@ -35,7 +33,6 @@ struct Steps {
   LabelSteps labels;
   void (*advance)(const Options&, const WindowFrame&, Window&);  // DoubleTrack
   EnergySteps energy;
-  void (*update_identity)(const IdentityStep&, ClusterMap&, Rng&);
 };
 
 // A variant that names a policy which lacks a function of its axis does not compile.
@@ -56,8 +53,7 @@ constexpr Steps StepsOf() {
             DoubleTrack<typename V::Frames>(options.window, options.NoiseOfFeatures())
                 .Advance(entering, window);
           },
-      .energy = {&StepsOfPrior<Motion>, &V::Outliers::Gate, &V::Solver::Solve, &V::Solver::Solve},
-      .update_identity = &V::Identity::Update};
+      .energy = {&StepsOfPrior<Motion>, &V::Outliers::Gate, &V::Solver::Solve, &V::Solver::Solve}};
 }
 
 // Makes the estimator with these steps. `pool` must outlive it.

@@ -239,7 +239,6 @@ class VisualOdometry final : public Odometry {
   void EndClusters(const FrameView* view, FrameReport& report) {
     RetireClusters(newest_, options_.LiveFrames(), options_.clusters, clusters_);
     const ClusterPredictor predict = PredictorOfClusters();
-    steps_.update_identity({options_, newest_, predict}, clusters_, cluster_rng_);
     std::vector<ClusterReport> described = DescribeClusters(newest_, predict, clusters_);
     if (view != nullptr) ground_.Update(SeenStaticPoints(), report.world_from_camera);
     boxes_.Describe({options_, clusters_, view, newest_, report.world_from_camera,

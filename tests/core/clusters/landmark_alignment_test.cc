@@ -6,7 +6,6 @@
 
 #include "core/clusters/cluster_association.h"
 #include "core/clusters/cluster_prediction.h"
-#include "core/clusters/identity.h"
 #include "core/clusters/trace_back.h"
 #include "tests/core/clusters/small_windows.h"
 #include "tests/support/estimator_inputs.h"

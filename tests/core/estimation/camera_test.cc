@@ -139,40 +139,5 @@ TEST(SolveCameraRansac, DoesNotSampleMeasurementsWithoutDisparity) {
   EXPECT_FALSE(SolveInCubes(measurements, 100, 3, rng));
 }
 
-const RigidTransform kMotion(ExpSo3({0.3, -0.5, 0.2}), Eigen::Vector3d(2.0, -1.0, 4.0));
-
-Eigen::Matrix3Xd RandomPoints(Rng& rng, int count) {
-  return Eigen::Matrix3Xd::NullaryExpr(3, count, [&] { return rng.Normal(); });
-}
-
-Eigen::Matrix3Xd Moved(const Eigen::Matrix3Xd& points) {
-  Eigen::Matrix3Xd moved = points;
-  for (Eigen::Index i = 0; i < moved.cols(); ++i) moved.col(i) = kMotion * moved.col(i).eval();
-  return moved;
-}
-
-double Error(const std::optional<RigidTransform>& found) {
-  return found ? kMotion.Minus(*found).norm() : 1e9;
-}
-
-TEST(AlignPointsRansac, FindsTheCommonMotionAmongOutliers) {
-  Rng rng(1, "points");
-  const Eigen::Matrix3Xd from = RandomPoints(rng, 40);
-  Eigen::Matrix3Xd to = Moved(from);
-  to.leftCols(20) = 5.0 * RandomPoints(rng, 20);
-  EXPECT_LT(Error(AlignPointsRansac(from, to, 0.01, 20, 200, rng)), 1e-9);
-  EXPECT_FALSE(AlignPointsRansac(from, to, 0.01, 21, 200, rng)) << "twenty agree";
-}
-
-TEST(AlignPointsRansac, ThreePointsAreEnoughAndFewerAreNot) {
-  Rng rng(2, "points");
-  const Eigen::Matrix3Xd from = RandomPoints(rng, 3);
-  EXPECT_LT(Error(AlignPointsRansac(from, Moved(from), 1e-6, 3, 50, rng)), 1e-9);
-  EXPECT_FALSE(AlignPointsRansac(from, Moved(from), 1e-6, 4, 50, rng));
-  EXPECT_FALSE(AlignPointsRansac(from, Moved(from), 1e-6, 3, 0, rng)) << "nothing is tried";
-  const Eigen::Matrix3Xd two = from.leftCols(2);
-  EXPECT_FALSE(AlignPointsRansac(two, Moved(two), 1e-6, 2, 50, rng));
-}
-
 }  // namespace
 }  // namespace cvo::camera_test
