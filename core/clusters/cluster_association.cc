@@ -168,10 +168,9 @@ std::vector<Match> MatchInBox(const FrameView& view, const Cluster& cluster,
   return matches;
 }
 
-// Maximum deviation of a predicted position at which a cluster is relaunched there, in
-// PointDeviation_m: a third of the body's size. Up to half of it, more bodies keep their id, but
-// more are placed wrongly.
-constexpr double kRelaunchReach = 4.0;
+// Maximum deviation of a predicted position at which a cluster is relaunched there, as a fraction
+// of the body's size. With a half, more bodies keep their id, but more are placed wrongly.
+constexpr double kRelaunchReach = 0.32;
 
 // Adds matches inside the boxes of the clusters. They must agree with the cluster's pose or, if it
 // has none, with each other.
@@ -202,7 +201,7 @@ void RematchInBox::Rematch(const FrameView& view, const ClusterMap& map, Rng& rn
   for (std::size_t q = 0; q < tracks.size(); ++q) {
     const double deviation_m = std::sqrt(tracks[q].predicted.translation_variance_m2);
     const bool stays =
-        !IsSettled(map.live[q]) || deviation_m < kRelaunchReach * PointDeviation_m(map.live[q]);
+        !IsSettled(map.live[q]) || deviation_m < kRelaunchReach * Size_m(map.live[q]);
     tracks[q].is_tracked |= tracks[q].detection >= 0 && stays;
   }
   NoBoxRematch::Rematch(view, map, rng, taken, tracks);

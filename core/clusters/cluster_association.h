@@ -27,8 +27,8 @@ void PlaceLeftOnly(const StereoCamera& camera, const RigidTransform& camera_from
 
 // Policy: compares the descriptors in the box with those of the cluster's unmatched landmarks and
 // keeps the matches that agree on a pose. A cluster that was not found keeps its box, and gets new
-// landmarks there at its predicted pose, only while it is new or this pose is known as well as its
-// points are compared (METHOD.md 4.6); else the box is released.
+// landmarks there at its predicted pose, only while it is new or this pose is known to a third of
+// the body's size (METHOD.md 4.6); else the box is released.
 struct RematchInBox {
   static void Rematch(const FrameView& view, const ClusterMap& map, Rng& rng, TakenFeatures& taken,
                       std::vector<ClusterTrack>& tracks);

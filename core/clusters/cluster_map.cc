@@ -101,6 +101,10 @@ void TrimCluster(const Window& window, FrameId newest, const ClusterOptions& opt
 
 namespace {
 
+// Motion of the outermost points of a body that stands still, as a fraction of its size (set by
+// hand on the rendered rooms, not swept).
+constexpr double kStandstill = 0.08;
+
 // Whether neither boxes nor, during T_t, motion show it to be a body (METHOD.md 6.4).
 bool LooksStatic(std::int64_t undetected, const ClusterOptions& options, const Cluster& cluster) {
   if (options.undetected_frames == 0 || cluster.given_body.valid()) return false;
@@ -108,7 +112,7 @@ bool LooksStatic(std::int64_t undetected, const ClusterOptions& options, const C
   const RigidTransform moved =
       cluster.states.front().world_from_object.Inverse() * cluster.Latest().world_from_object;
   const double turned_m = RotationAngle(moved.rotation()) * cluster.half_size_m.maxCoeff();
-  return moved.translation().norm() + turned_m < PointDeviation_m(cluster);
+  return moved.translation().norm() + turned_m < kStandstill * Size_m(cluster);
 }
 
 }  // namespace

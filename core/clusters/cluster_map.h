@@ -40,11 +40,9 @@ inline bool IsConfirmed(const Cluster& cluster, const ClusterOptions& options) {
   return cluster.detections >= options.confirm_detections || cluster.given_body.valid();
 }
 
-// Distance up to which two places of one point of the body agree, m: 0.4 of the largest half side,
-// a twelfth of the body's size (set by hand on the rendered rooms, not swept).
-inline double PointDeviation_m(const Cluster& cluster) {
-  return 0.4 * cluster.half_size_m.maxCoeff();
-}
+// The largest side of the body, m. That of a uniform solid is five of its half sides (METHOD.md
+// 6.2).
+inline double Size_m(const Cluster& cluster) { return 5.0 * cluster.half_size_m.maxCoeff(); }
 
 // Returns the first pose in `frame` or later, as an iterator. Poses are sorted by frame.
 auto FirstPoseFrom(std::int64_t frame, auto& trajectory) {

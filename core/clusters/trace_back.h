@@ -49,7 +49,7 @@ struct TraceBackStep {
 };
 
 // Tracks clusters that were found, for the first time or again, backwards through T_t until they
-// are lost (METHOD.md 6.6).
+// are lost (METHOD.md 6.5).
 void TraceBack(const TraceBackStep& step, std::deque<KeptFrame>& kept_frames, ClusterMap& map,
                Rng& rng);
 

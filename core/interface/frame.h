@@ -158,7 +158,7 @@ struct ClusterTrajectory {
   ClusterId id;
   std::string category;
   // Sorted by frame: one pose per frame in which the cluster was live, including frames before it
-  // was confirmed and earlier frames to which it was traced back (METHOD.md 6.6).
+  // was confirmed and earlier frames to which it was traced back (METHOD.md 6.5).
   std::vector<ClusterPose> poses;
 };
 
@@ -178,7 +178,7 @@ class Odometry {
   // it had when it left the temporal track, |T_t| frames after it arrived.
   virtual std::vector<RigidTransform> Trajectory() const = 0;
 
-  // Returns every cluster that was ever reported, including archived ones, sorted by id.
+  // Returns every cluster that was ever reported, including past ones, sorted by id.
   virtual std::vector<ClusterTrajectory> ClusterTrajectories() const = 0;
 };
 

@@ -68,7 +68,7 @@ class VisualOdometry final : public Odometry {
     Timed(times, "window", [&] { report.new_landmarks = Enter(step); });
     // Bundle adjustment of the static window with its prior (3.3, Eq. 10 and 11).
     Timed(times, "optimize", [&] { OptimizeScene(input.features, report); });
-    // The preceding frames are searched for clusters that were found late (METHOD.md 6.6).
+    // The preceding frames are searched for clusters that were found late (METHOD.md 6.5).
     Timed(times, "trace", [&] {
       TraceBack({options_, window_, PredictorAnytimeOf(), steps_.show, steps_.association.find},
                 kept_, clusters_, cluster_rng_);

@@ -80,17 +80,13 @@ Cluster ClusterSeen(std::int64_t id, std::int64_t observed, std::int64_t detecte
   return cluster;
 }
 
-std::vector<std::int64_t> Ids(const ClusterMap& map, bool live) {
+std::vector<std::int64_t> LiveIds(const ClusterMap& map) {
   std::vector<std::int64_t> ids;
-  if (live) {
-    for (const Cluster& cluster : map.live) ids.push_back(cluster.id.value);
-  } else {
-    for (const Cluster& cluster : map.archived) ids.push_back(cluster.id.value);
-  }
+  for (const Cluster& cluster : map.live) ids.push_back(cluster.id.value);
   return ids;
 }
 
-TEST(RetireClusters, KeepsArchivesOrDropsClusters) {
+TEST(RetireClusters, RemovesTheLostAndForgetsTheUnconfirmed) {
   const ClusterOptions options;
   const int L = Options().LiveFrames();
   ClusterMap map;
@@ -103,14 +99,13 @@ TEST(RetireClusters, KeepsArchivesOrDropsClusters) {
   map.live[5].given_body = BodyId{7};  // given bodies need no confirmation
   for (const Cluster& cluster : map.live) map.trajectories[cluster.id].id = cluster.id;
   RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
-  EXPECT_THAT(Ids(map, true), ElementsAre(1, 4));
-  EXPECT_THAT(Ids(map, false), ElementsAre(2, 6));
+  EXPECT_THAT(LiveIds(map), ElementsAre(1, 4));
   std::vector<std::int64_t> told;
   for (const auto& cluster : ConfirmedTrajectories(map, options)) told.push_back(cluster.id.value);
   EXPECT_THAT(told, ElementsAre(1, 2, 6));
 }
 
-TEST(RetireClusters, ArchivesWhatStandsStillUndetected) {
+TEST(RetireClusters, RemovesWhatStandsStillUndetected) {
   const ClusterOptions options;
   const std::int64_t last = 100 - options.undetected_frames;
   ClusterMap map;
@@ -130,18 +125,7 @@ TEST(RetireClusters, ArchivesWhatStandsStillUndetected) {
   map.live[5].detections = options.undetected_frames + 1;
   map.live[6].given_body = BodyId{8};
   RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
-  EXPECT_THAT(Ids(map, true), ElementsAre(3, 4, 5, 6, 7));
-  EXPECT_THAT(Ids(map, false), ElementsAre(1, 2));
-}
-
-TEST(RetireClusters, ArchiveDropsTheOldest) {
-  ClusterOptions options;
-  options.archived = 2;
-  ClusterMap map;
-  for (int id = 1; id <= 4; ++id) map.live.push_back(ClusterSeen(id, 0, 0, 5));
-  RetireClusters(FrameId{100}, Options().LiveFrames(), options, map);
-  EXPECT_THAT(Ids(map, true), IsEmpty());
-  EXPECT_THAT(Ids(map, false), ElementsAre(3, 4));
+  EXPECT_THAT(LiveIds(map), ElementsAre(3, 4, 5, 6, 7));
 }
 
 // A landmark on a body 6 m ahead, last observed by a camera at the origin.
@@ -272,6 +256,13 @@ TEST(AssociateClusters, FewMatchesAfterAGapMustBeHalfOfAll) {
   EXPECT_FALSE(IsFoundTurned(many - 1, 2, 0.1, many));
   EXPECT_TRUE(IsFoundTurned(many - 1, 1, 0.1, many));
   EXPECT_TRUE(IsFoundTurned(many, 2, 0.1, many + 2));
+}
+
+TEST(AssociateClusters, AfterAGapAMinorityOfMatchesMustAgreeWithThePrediction) {
+  const int many = ClusterAssociationOptions().min_rematch;
+  EXPECT_TRUE(IsFoundTurned(many, 2, 0.5, many));
+  EXPECT_FALSE(IsFoundTurned(many, 2, 0.5, many + 2));
+  EXPECT_TRUE(IsFoundTurned(many, 1, 0.5, many + 2));
 }
 
 TEST(AssociateClusters, BoxesOfOtherClassesTakeNoVotes) {

@@ -229,7 +229,7 @@ TEST(MovingBodies, AreTrackedWithoutBoxes) {
   EXPECT_EQ(run.clusters.size(), 2u);
 }
 
-TEST(MovingBodies, AreRecoveredFromTheArchive) {
+TEST(MovingBodies, KeepTheirIdThroughALongOcclusion) {
   const auto hide = [](int i, WorldView& view) {
     if (i < 16 || i >= 34) return;
     test::RemoveFeatures(1, view);
@@ -238,7 +238,9 @@ TEST(MovingBodies, AreRecoveredFromTheArchive) {
   const ClusterRun run = Watch(40, hide);
   const ClusterId id = ClusterOfBody(run, 14, 1);
   ASSERT_TRUE(id.valid());
-  EXPECT_EQ(FindReport(run.reports[33], id), nullptr);
+  const ClusterReport* hidden = FindReport(run.reports[33], id);
+  ASSERT_NE(hidden, nullptr);
+  EXPECT_EQ(hidden->status, ClusterStatus::kPredicted);
   EXPECT_EQ(ClusterOfBody(run, 38, 1), id);
 }
 

@@ -177,7 +177,10 @@ TEST_P(EveryVariantWithBodies, SurvivesFiveHundredBoxes) {
 }
 
 TEST_P(EveryVariantWithBodies, RecoversAfterTwentyFramesWithoutFeatures) {
-  const ClusterRun run = Watch(42, [](int i, WorldView& view) {
+  RunSettings settings;
+  settings.frames = 42;
+  settings.options.clusters.live_frames = 15;
+  const ClusterRun run = RunClusters(GetParam(), world_, settings, [](int i, WorldView& view) {
     if (i < 16 || i >= 36) return;
     view.frame.features.clear();
     view.of_body.clear();
@@ -186,14 +189,12 @@ TEST_P(EveryVariantWithBodies, RecoversAfterTwentyFramesWithoutFeatures) {
   for (int i = 16; i < 36; ++i) EXPECT_EQ(run.reports[i].status, FrameStatus::kLost);
   EXPECT_EQ(run.reports[36].status, FrameStatus::kRecovered);
   EXPECT_LT(CameraError(run.reports[36], 36), 0.1);
-  // Clusters are predicted first, then archived.
-  const int live = Options().LiveFrames();
-  for (const ClusterReport& cluster : run.reports[15 + live - 1].clusters) {
+  // Clusters are predicted first, then removed, and created anew.
+  for (const ClusterReport& cluster : run.reports[29].clusters) {
     EXPECT_EQ(cluster.status, ClusterStatus::kPredicted);
   }
-  ExpectClusters(!run.reports[15 + live - 1].clusters.empty());
-  EXPECT_THAT(run.reports[15 + live].clusters, IsEmpty());
-  // They are recovered or created anew.
+  ExpectClusters(!run.reports[29].clusters.empty());
+  EXPECT_THAT(run.reports[30].clusters, IsEmpty());
   ExpectClusters(!run.reports[41].clusters.empty());
 }
 
