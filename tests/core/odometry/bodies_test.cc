@@ -315,6 +315,7 @@ TEST(Given, BoxesSeparateBodiesAgainstAllOtherEvidence) {
     };
     RunSettings settings;
     settings.frames = 36;
+    settings.options.clusters.live_frames = 15;
     const ClusterRun run = RunClusters("full", MovingWorld(5, bodies), settings, give);
     EXPECT_NE(ClusterOfBody(run, 35, 1), ClusterOfBody(run, 10, 1)) << hidden;
     EXPECT_NE(ClusterOfBody(run, 35, 1), ClusterOfBody(run, 35, 2)) << hidden;
