@@ -35,15 +35,16 @@ std::vector<Match> KeepOneToOne(std::vector<Match> candidates, int landmarks, in
 }
 
 std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
-                                    std::span<const StereoFeature> features, int max_hamming,
+                                    std::span<const StereoFeature> features,
+                                    const std::function<bool(int)>& is_wanted, int max_hamming,
                                     double ratio) {
   constexpr int kFarthest = 257;
   std::vector<Descriptor> descriptors;  // close together: features are large
   std::vector<int> feature_of;
-  for (int k = 0; k < static_cast<int>(features.size()); ++k) {
-    if (IsLeftOnly(features[k])) continue;
-    descriptors.push_back(features[k].descriptor);
-    feature_of.push_back(k);
+  for (int i = 0; i < static_cast<int>(features.size()); ++i) {
+    if (IsLeftOnly(features[i]) || !is_wanted(i)) continue;
+    descriptors.push_back(features[i].descriptor);
+    feature_of.push_back(i);
   }
   std::vector<int> distances(descriptors.size());
   std::vector<int> best_of_feature(features.size(), kFarthest);

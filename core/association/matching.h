@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,10 +25,11 @@ struct Match {
 std::vector<Match> KeepOneToOne(std::vector<Match> candidates, int landmarks, int features);
 
 // Matches by descriptors alone, by brute force: mutually nearest pairs within max_hamming whose
-// distance is less than `ratio` times the second best. Ignores left-only features. For frames for
-// which no prediction can be trusted.
+// distance is less than `ratio` times the second best. Ignores left-only features and those, by
+// index, that is_wanted refuses. For frames for which no prediction can be trusted.
 std::vector<Match> MatchDescriptors(std::span<const Descriptor> landmarks,
-                                    std::span<const StereoFeature> features, int max_hamming,
+                                    std::span<const StereoFeature> features,
+                                    const std::function<bool(int)>& is_wanted, int max_hamming,
                                     double ratio);
 
 // Features of one frame, bucketed by their left pixel. Holds a view of the features, which must

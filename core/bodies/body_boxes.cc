@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -66,14 +67,15 @@ struct Interval {
   double high = 0.0;
 };
 
-// Returns the range from `quantile` to one minus it.
+// Returns the range from `quantile`, which is small, to one minus it.
 Interval OuterRange(Eigen::VectorXd values, double quantile) {
-  const Eigen::Index last = values.size() - 1;
-  const auto rank = static_cast<Eigen::Index>(std::lround(quantile * static_cast<double>(last)));
-  std::nth_element(values.begin(), values.begin() + rank, values.end());
+  const auto rank =
+      static_cast<Eigen::Index>(std::lround(quantile * static_cast<double>(values.size() - 1)));
+  const auto up_to_rank = values.begin() + rank + 1;
+  std::partial_sort(values.begin(), up_to_rank, values.end());
   const double low = values[rank];
-  std::nth_element(values.begin(), values.begin() + (last - rank), values.end());
-  return {low, values[last - rank]};
+  std::partial_sort(values.begin(), up_to_rank, values.end(), std::greater());
+  return {low, values[rank]};
 }
 
 Interval RangeAlong(const Eigen::Vector3d& axis, const Eigen::Matrix3Xd& points, double quantile) {
@@ -310,7 +312,7 @@ void BodyBoxes::Describe(const BoxScene& scene, std::vector<ClusterReport>& repo
     reports[q].box = BoxAt(scene, cluster, track, reports[q].world_from_object);
     reports[q].score = ScoreOf(scene.options, scene.view, scene.newest, cluster);
   }
-  // Forget clusters that cannot come back.
+  // Forget removed clusters.
   std::erase_if(tracks_, [&](const auto& track) {
     return FindBy(scene.clusters.live, &Cluster::id, track.first) == nullptr;
   });

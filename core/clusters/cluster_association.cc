@@ -150,21 +150,15 @@ std::vector<Match> MatchInBox(const FrameView& view, const Cluster& cluster,
     descriptors.push_back(cluster.landmarks[i].descriptor);
     landmarks.push_back(i);
   }
-  std::vector<StereoFeature> features;
-  std::vector<int> indices;
-  for (int i = 0; i < static_cast<int>(view.frame.features.size()); ++i) {
-    const StereoFeature& feature = view.frame.features[i];
-    if (taken[i] || !box.Contains(feature.z_px[0], feature.z_px[1])) continue;
-    if (!IsAllowed(view, cluster, i)) continue;
-    features.push_back(feature);
-    indices.push_back(i);
-  }
-  std::vector<Match> matches =
-      MatchDescriptors(descriptors, features, kRematchHamming, kRematchRatio);
-  for (Match& match : matches) {
-    match.landmark = landmarks[match.landmark];
-    match.feature = indices[match.feature];
-  }
+  const std::span<const StereoFeature> features = view.frame.features;
+  std::vector<Match> matches = MatchDescriptors(
+      descriptors, features,
+      [&](int i) {
+        return !taken[i] && box.Contains(features[i].z_px[0], features[i].z_px[1]) &&
+               IsAllowed(view, cluster, i);
+      },
+      kRematchHamming, kRematchRatio);
+  for (Match& match : matches) match.landmark = landmarks[match.landmark];
   return matches;
 }
 

@@ -5,7 +5,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>

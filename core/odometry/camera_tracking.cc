@@ -114,9 +114,9 @@ std::optional<RigidTransform> FindWithoutPrediction(const Options& options, cons
     descriptors.push_back(window.landmarks[i].descriptor);
     landmark.push_back(i);
   }
-  std::vector<Match> matches =
-      MatchDescriptors(descriptors, grid.features(), options.tracking.kRecoveryHamming,
-                       options.tracking.kRecoveryRatio);
+  std::vector<Match> matches = MatchDescriptors(
+      descriptors, grid.features(), [](int) { return true; }, options.tracking.kRecoveryHamming,
+      options.tracking.kRecoveryRatio);
   for (Match& match : matches) match.landmark = landmark[match.landmark];
   const std::vector<PointMeasurement> measurements =
       MeasurementsOf(options.NoiseOfFeatures(), window.landmarks, grid.features(), matches);

@@ -28,20 +28,18 @@ namespace {
 constexpr int kRounds = 5;
 constexpr int kBoundFeatures = 2000;
 
+struct Seconds {
+  double cpu = 0.0;
+  double wall = 0.0;
+};
+
 struct Cost {
   std::vector<double> cpu_ms, wall_ms;  // per frame, one element per round
 };
 
-void Measure(const std::function<void()>& process, std::size_t frames, Cost& cost) {
+Seconds ExtractWithOpenCv(const Sequence& sequence) {
   const double cpu_s = CpuSeconds();
   const auto start = std::chrono::steady_clock::now();
-  process();
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
-  cost.wall_ms.push_back(1e3 * wall.count() / static_cast<double>(frames));
-  cost.cpu_ms.push_back(1e3 * (CpuSeconds() - cpu_s) / static_cast<double>(frames));
-}
-
-void ExtractWithOpenCv(const Sequence& sequence) {
   const auto orb = cv::ORB::create(kBoundFeatures);
   for (const StereoPaths& pair : sequence.images) {
     for (const auto& path : {pair.left, pair.right}) {
@@ -51,14 +49,18 @@ void ExtractWithOpenCv(const Sequence& sequence) {
                             descriptors);
     }
   }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  return {CpuSeconds() - cpu_s, wall.count()};
 }
 
-void RunVariant(const Sequence& sequence, const char* variant, int threads) {
+// Of the frames alone: checks and scores of a whole run cost the more the shorter it is.
+Seconds RunVariant(const Sequence& sequence, const char* variant, int threads) {
   const VariantInfo& info = FindVariant(variant);
   const auto run = RunSequence(
       {.sequence = sequence, .variant = info, .options = info.defaults(), .threads = threads},
       nullptr, {});
   Require(run && run->status != RunStatus::kFailed, "frame_time: the run failed");
+  return {run->cpu_s, run->wall_s};
 }
 
 int Main(int argc, char** argv) {
@@ -70,19 +72,24 @@ int Main(int argc, char** argv) {
   cv::setNumThreads(1);
   struct System {
     std::string name;
-    std::function<void()> process;
+    std::function<Seconds()> process;
     Cost cost = {};
   };
-  std::vector<System> systems = {{"bound", [&] { ExtractWithOpenCv(sequence); }}};
+  std::vector<System> systems = {{"bound", [&] { return ExtractWithOpenCv(sequence); }}};
   for (const char* variant : {"static", "full", "paper"}) {
     for (const int threads : {1, 2}) {
       systems.push_back(
           {StrCat(variant, ", ", Counted(static_cast<std::size_t>(threads), "thread")),
-           [&sequence, variant, threads] { RunVariant(sequence, variant, threads); }});
+           [&sequence, variant, threads] { return RunVariant(sequence, variant, threads); }});
     }
   }
+  const double ms_per_frame = 1e3 / static_cast<double>(sequence.images.size());
   for (int round = 0; round < kRounds; ++round) {
-    for (System& system : systems) Measure(system.process, sequence.images.size(), system.cost);
+    for (System& system : systems) {
+      const Seconds taken = system.process();
+      system.cost.cpu_ms.push_back(ms_per_frame * taken.cpu);
+      system.cost.wall_ms.push_back(ms_per_frame * taken.wall);
+    }
   }
   std::printf("%s: %zu frames, medians of %d rounds\n", sequence.name.c_str(),
               sequence.images.size(), kRounds);

@@ -115,26 +115,29 @@ std::vector<Corner> FindMaxima(const cv::Mat& scores, int border_px, int thresho
   return maxima;
 }
 
-std::vector<bool> FollowRule(std::span<const Corner> corners, const cv::Size& size,
+std::vector<char> FollowRule(std::span<const Corner> corners, const cv::Size& size,
                              const CornerRule& rule) {
+  constexpr int kOutside = -1;
   const int border = rule.border_px;
   const int columns = size.width / rule.cell_px + 1;
   const int rows = size.height / rule.cell_px + 1;
   const auto cell = [&](const Corner& c) {
+    const bool is_inside =
+        c.x >= border && c.y >= border && c.x < size.width - border && c.y < size.height - border;
+    if (!is_inside) return kOutside;
     return (c.y - border) / rule.cell_px * columns + (c.x - border) / rule.cell_px;
   };
-  const auto is_inside = [&](const Corner& c) {
-    return c.x >= border && c.y >= border && c.x < size.width - border &&
-           c.y < size.height - border;
-  };
   std::vector<char> has_strong(static_cast<std::size_t>(columns * rows), 0);
+  std::vector<int> cells;
+  cells.reserve(corners.size());
   for (const Corner& c : corners) {
-    if (c.score > rule.threshold && is_inside(c)) has_strong[cell(c)] = 1;
+    cells.push_back(cell(c));
+    if (c.score > rule.threshold && cells.back() != kOutside) has_strong[cells.back()] = 1;
   }
-  std::vector<bool> follow;
-  follow.reserve(corners.size());
-  for (const Corner& c : corners) {
-    follow.push_back(is_inside(c) && (c.score > rule.threshold || has_strong[cell(c)] == 0));
+  std::vector<char> follow(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    follow[i] =
+        cells[i] != kOutside && (corners[i].score > rule.threshold || has_strong[cells[i]] == 0);
   }
   return follow;
 }

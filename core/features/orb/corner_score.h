@@ -38,7 +38,7 @@ struct CornerRule {
 // Returns, for each corner of an image of this size, whether it satisfies the rule: it is not
 // nearer to the edge than the border, and its score exceeds the threshold, unless no corner in its
 // cell exceeds it.
-std::vector<bool> FollowRule(std::span<const Corner> corners, const cv::Size& size,
+std::vector<char> FollowRule(std::span<const Corner> corners, const cv::Size& size,
                              const CornerRule& rule);
 
 }  // namespace cvo

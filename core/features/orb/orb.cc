@@ -103,8 +103,8 @@ LevelCorners FindLevelCorners(const cv::Mat& scores, const OrbOptions& options, 
   level.corners =
       FindMaxima(scores, for_regions ? kRegionBorder_px : kBorder_px, options.fast_threshold_min);
   const CornerRule rule{kBorder_px, kCell_px, options.fast_threshold};
-  for (const bool follows : FollowRule(level.corners, scores.size(), rule)) {
-    level.uses.push_back(follows ? Use::kFree : Use::kForRegions);
+  for (const char follows : FollowRule(level.corners, scores.size(), rule)) {
+    level.uses.push_back(follows != 0 ? Use::kFree : Use::kForRegions);
   }
   return level;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <opencv2/imgproc.hpp>
 
 #include "core/features/processor.h"
@@ -35,10 +36,13 @@ std::vector<cv::Mat> Allocate(const std::vector<cv::Size>& sizes, int padding_px
 // consistent over time. Integer arithmetic gives the same image on every machine.
 constexpr int kTaps = 3;  // maximum number of pixels that an interval of length <= 2 touches
 constexpr int kWeightBits = 8;
+constexpr int kLanes = 8;
 
 struct AreaTaps {
-  std::vector<int> first;                              // source index of the first tap
-  std::vector<std::array<std::uint16_t, kTaps>> taps;  // weights, with sum 2^kWeightBits
+  std::vector<int> first;                                 // source index of the first tap
+  std::array<std::vector<std::uint16_t>, kTaps> weights;  // with sum 2^kWeightBits
+  // first[i] - first[j], where j is the last multiple of kLanes up to i; padded.
+  std::vector<std::uint8_t> steps;
 };
 
 AreaTaps MakeTaps(int source_size, int size) {
@@ -50,51 +54,85 @@ AreaTaps MakeTaps(int source_size, int size) {
     const auto covered = [&](double end) { return std::clamp(end, begin, begin + scale); };
     // Rounds cumulative sums, so that the weights add up exactly and no brightness is lost.
     const double all = covered(first + kTaps) - covered(first);
-    std::array<std::uint16_t, kTaps> taps{};
     int used = 0;
     for (int tap = 0; tap < kTaps; ++tap) {
       const double share = (covered(first + tap + 1) - covered(first)) / all;
       const int sum = static_cast<int>(std::lround(share * (1 << kWeightBits)));
-      taps[tap] = static_cast<std::uint16_t>(sum - used);
+      area.weights[tap].push_back(static_cast<std::uint16_t>(sum - used));
       used = sum;
     }
     area.first.push_back(first);
-    area.taps.push_back(taps);
+    area.steps.push_back(static_cast<std::uint8_t>(first - area.first[i / kLanes * kLanes]));
   }
+  area.steps.resize(area.steps.size() + kLanes);
   return area;
 }
 
+using HalfBytes = std::uint8_t __attribute__((vector_size(kLanes)));
+using Words = std::uint16_t __attribute__((vector_size(2 * kLanes)));
+
+template <typename Vector>
+[[gnu::always_inline]] inline Vector Load(const void* from) {
+  Vector values;
+  std::memcpy(&values, from, sizeof(values));
+  return values;
+}
+
+// sums[x] is the weighted sum of the pixels of `row` that pixel x of the smaller image covers.
 CVO_FOR_EACH_PROCESSOR
-void SumRows(const std::uint8_t* a, const std::uint8_t* b, const std::uint8_t* c,
-             const std::array<std::uint16_t, kTaps>& w, int width, std::uint16_t* __restrict sum) {
-  for (int x = 0; x < width; ++x) {
-    sum[x] = static_cast<std::uint16_t>(w[0] * a[x] + w[1] * b[x] + w[2] * c[x]);
+void ShrinkRow(const std::uint8_t* row, int source_width, const AreaTaps& columns, int width,
+               std::uint16_t* __restrict sums) {
+  int x = 0;
+  for (; x + kLanes <= width && columns.first[x] + kTaps - 1 + 2 * kLanes <= source_width;
+       x += kLanes) {
+    const auto steps = Load<SixteenBytes>(columns.steps.data() + x);
+    Words sum{};
+    for (int tap = 0; tap < kTaps; ++tap) {
+      const SixteenBytes pixels = Pick(Load<SixteenBytes>(row + columns.first[x] + tap), steps);
+      sum += __builtin_convertvector(Load<HalfBytes>(&pixels), Words) *
+             Load<Words>(columns.weights[tap].data() + x);
+    }
+    std::memcpy(sums + x, &sum, sizeof(sum));
+  }
+  for (; x < width; ++x) {
+    sums[x] = 0;
+    for (int tap = 0; tap < kTaps; ++tap) {
+      sums[x] += static_cast<std::uint16_t>(columns.weights[tap][x] * row[columns.first[x] + tap]);
+    }
   }
 }
 
 CVO_FOR_EACH_PROCESSOR
-void ShrinkRow(const std::uint16_t* sum, const AreaTaps& columns, int width,
-               std::uint8_t* __restrict out) {
-  const int* first = columns.first.data();
-  const std::array<std::uint16_t, kTaps>* taps = columns.taps.data();
+void JoinRows(const std::array<const std::uint16_t*, kTaps>& sums,
+              const std::array<unsigned, kTaps>& w, int width, std::uint8_t* __restrict out) {
+  constexpr unsigned kHalf = 1U << (2 * kWeightBits - 1);
+  const auto [a, b, c] = sums;
   for (int x = 0; x < width; ++x) {
-    const std::uint16_t* s = sum + first[x];
-    const auto [w0, w1, w2] = taps[x];
-    const unsigned total = w0 * unsigned{s[0]} + w1 * unsigned{s[1]} + w2 * unsigned{s[2]};
-    out[x] =
-        static_cast<std::uint8_t>((total + (1u << (2 * kWeightBits - 1))) >> (2 * kWeightBits));
+    const unsigned total = w[0] * a[x] + w[1] * b[x] + w[2] * c[x];
+    out[x] = static_cast<std::uint8_t>((total + kHalf) >> (2 * kWeightBits));
   }
 }
 
 void ShrinkByArea(const cv::Mat& source, cv::Mat& image) {
   const AreaTaps columns = MakeTaps(source.cols, image.cols);
   const AreaTaps rows = MakeTaps(source.rows, image.rows);
-  std::vector<std::uint16_t> sums(static_cast<std::size_t>(source.cols));
+  // Of the last rows of the source: row y is in place y % kTaps.
+  std::array<std::vector<std::uint16_t>, kTaps> shrunk;
+  for (auto& row : shrunk) row.resize(static_cast<std::size_t>(image.cols));
+  int next = 0;
   for (int y = 0; y < image.rows; ++y) {
     const int first = rows.first[y];
-    SumRows(source.ptr<std::uint8_t>(first), source.ptr<std::uint8_t>(first + 1),
-            source.ptr<std::uint8_t>(first + 2), rows.taps[y], source.cols, sums.data());
-    ShrinkRow(sums.data(), columns, image.cols, image.ptr<std::uint8_t>(y));
+    for (next = std::max(next, first); next < first + kTaps; ++next) {
+      ShrinkRow(source.ptr<std::uint8_t>(next), source.cols, columns, image.cols,
+                shrunk[next % kTaps].data());
+    }
+    std::array<const std::uint16_t*, kTaps> sums{};
+    std::array<unsigned, kTaps> weights{};
+    for (int tap = 0; tap < kTaps; ++tap) {
+      sums[tap] = shrunk[(first + tap) % kTaps].data();
+      weights[tap] = rows.weights[tap][y];
+    }
+    JoinRows(sums, weights, image.cols, image.ptr<std::uint8_t>(y));
   }
 }
 

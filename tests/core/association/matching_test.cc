@@ -85,7 +85,7 @@ TEST(MatchProjected, RefusesAmbiguousCandidates) {
   EXPECT_TRUE(MatchProjected(landmarks, grid, 5.0, 1.2, {}).empty());
 }
 
-TEST(MatchDescriptors, FindsExactlyTheTruePairs) {
+TEST(MatchDescriptors, FindsExactlyTheTruePairsOfWantedFeatures) {
   Rng rng(5, "brute force");
   const std::vector<StereoFeature> features = RandomFeatures(200, rng);
   std::vector<Descriptor> landmarks;
@@ -95,9 +95,13 @@ TEST(MatchDescriptors, FindsExactlyTheTruePairs) {
     landmarks.push_back(noisy);
   }
   for (int i = 0; i < 50; ++i) landmarks.push_back(test::RandomDescriptor(rng));
-  const auto matches = MatchDescriptors(landmarks, features, 60, 0.8);
-  ASSERT_EQ(matches.size(), 50u);
-  for (const Match& match : matches) EXPECT_EQ(match.feature, 2 * match.landmark);
+  const auto matches = MatchDescriptors(
+      landmarks, features, [](int i) { return i != 20; }, 60, 0.8);
+  ASSERT_EQ(matches.size(), 49u);
+  for (const Match& match : matches) {
+    EXPECT_EQ(match.feature, 2 * match.landmark);
+    EXPECT_NE(match.feature, 20);
+  }
 }
 
 // P(chi^2 < x) with three degrees of freedom.

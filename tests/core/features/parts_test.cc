@@ -101,6 +101,38 @@ TEST(Pyramid, LevelsAreAlignedAndShareOneStride) {
   }
 }
 
+// The mean of the image over an interval of columns and one of rows.
+double AreaMean(const cv::Mat& image, double u0, double u1, double v0, double v1) {
+  double sum = 0.0;
+  for (int v = static_cast<int>(v0); v < v1 && v < image.rows; ++v) {
+    const double rows = std::min(v + 1.0, v1) - std::max<double>(v, v0);
+    for (int u = static_cast<int>(u0); u < u1 && u < image.cols; ++u) {
+      const double columns = std::min(u + 1.0, u1) - std::max<double>(u, u0);
+      sum += rows * columns * image.at<std::uint8_t>(v, u);
+    }
+  }
+  return sum / ((u1 - u0) * (v1 - v0));
+}
+
+TEST(Pyramid, PixelsAreMeansOfTheLevelBefore) {
+  for (const double scale_factor : {1.2, 2.0}) {
+    const std::vector<cv::Mat> pyramid = BuildPyramid(RandomImage(157, 70), 3, scale_factor, 10);
+    for (std::size_t level = 1; level < pyramid.size(); ++level) {
+      const cv::Mat& from = pyramid[level - 1];
+      const cv::Mat& image = pyramid[level];
+      const double du = static_cast<double>(from.cols) / image.cols;
+      const double dv = static_cast<double>(from.rows) / image.rows;
+      for (int v = 0; v < image.rows; ++v) {
+        for (int u = 0; u < image.cols; ++u) {
+          ASSERT_NEAR(image.at<std::uint8_t>(v, u),
+                      AreaMean(from, u * du, (u + 1) * du, v * dv, (v + 1) * dv), 2.0)
+              << scale_factor << " " << level << ": " << u << " " << v;
+        }
+      }
+    }
+  }
+}
+
 const StereoCamera kRowCamera = test::CentredCamera(500.0, 0.5, 600, 200);
 
 // Row offsets with a fifth of outliers, of a rig whose baseline is not level.
