@@ -119,18 +119,32 @@ void AddScores(const ObjectTruth& truth, const ObjectEstimate& estimate,
   }
 }
 
-// Runs the variant on a sequence, tries all trials on its frames, and adds their scores, the run's
-// own first, and the pictures of the frame that is drawn. Returns false if it was stopped.
-bool TryOn(const std::string& folder, const Flags& flags, Scores& scores,
-           std::vector<cv::Mat>& pictures) {
+struct Scene {
+  Sequence sequence;
+  std::unique_ptr<BodyTruthReader> truth;
+};
+
+Scene OpenScene(const std::string& folder, const Flags& flags) {
   SequenceFlags selected = flags.sequence;
   selected.folder = folder;
-  const Sequence sequence = OpenSequence(WithBoxes(selected.Request(flags.quiet)));
-  RequireAsRendered(sequence);
-  const std::unique_ptr<BodyTruthReader> reader = ReadBodyTruth(sequence);
-  if (!reader || !reader->objects().tells_pixels) {
+  Scene scene{OpenSequence(WithBoxes(selected.Request(flags.quiet))), nullptr};
+  RequireAsRendered(scene.sequence);
+  scene.truth = ReadBodyTruth(scene.sequence);
+  if (!scene.truth || !scene.truth->objects().tells_pixels) {
     ThrowError(folder, "no ground truth of the bodies at pixels", "a rendered scene");
   }
+  const int first = scene.sequence.first_frame;
+  const int last = first + static_cast<int>(scene.sequence.images.size()) - 1;
+  if (flags.figure >= 0 && (flags.figure < first || flags.figure > last)) {
+    ThrowError(folder, StrCat("no frame ", flags.figure), StrCat("frames ", first, " to ", last));
+  }
+  return scene;
+}
+
+// Runs the variant on a sequence, tries all trials on its frames, and adds their scores, the run's
+// own first, and the pictures of the frame that is drawn. Returns false if it was stopped.
+bool TryOn(const Scene& scene, const Flags& flags, Scores& scores, std::vector<cv::Mat>& pictures) {
+  const Sequence& sequence = scene.sequence;
   const VariantInfo& variant = FindVariant(flags.variant);
   const StopSignal stop;
   Progress progress(flags.quiet);
@@ -144,7 +158,7 @@ bool TryOn(const std::string& folder, const Flags& flags, Scores& scores,
   };
   std::vector<std::vector<std::vector<LandmarkObservation>>> observed(Trials().size());
   CrfMemory memory;
-  const auto run = RunSequence(request, reader.get(), [&](const EstimatedFrame& seen) {
+  const auto run = RunSequence(request, scene.truth.get(), [&](const EstimatedFrame& seen) {
     for (std::size_t i = 0; i < observed.size(); ++i) {
       const CrfTrial& trial = Trials()[i];
       const auto labelled = Label(trial, request.options, seen.record.report, memory);
@@ -155,7 +169,7 @@ bool TryOn(const std::string& folder, const Flags& flags, Scores& scores,
   });
   if (!run) return false;
   if (run->status == RunStatus::kFailed) throw Error(run->message);
-  const ObjectTruth& truth = reader->objects();
+  const ObjectTruth& truth = scene.truth->objects();
   ObjectEstimate estimate = ObjectEstimateOf(*run, reports::PoseTime::kCausal);
   const std::vector<ObjectMatch> matches = MatchObjects(truth, estimate);
   AddScores(truth, estimate, matches, 0, scores);
@@ -188,11 +202,10 @@ int TryAll(const Flags& flags) {
   if (!flags.output.empty()) CheckOutputFile(flags.output, read);
   Scores scores(Trials().size() + 1);
   std::vector<cv::Mat> pictures;
-  for (const std::string& folder : flags.folders) {
-    if (!TryOn(folder, flags, scores, pictures)) return kInterrupted;
-    if (flags.figure >= 0 && pictures.empty()) {
-      ThrowError(folder, StrCat("no frame ", flags.figure), "the number of a frame that is read");
-    }
+  std::vector<Scene> scenes;  // all of them, before the minutes of the first
+  for (const std::string& folder : flags.folders) scenes.push_back(OpenScene(folder, flags));
+  for (const Scene& scene : scenes) {
+    if (!TryOn(scene, flags, scores, pictures)) return kInterrupted;
   }
   PrintScores(scores);
   if (flags.output.empty()) return 0;

@@ -216,6 +216,7 @@ TEST_F(CliExplain, CrfNeedsTheBodiesOfPixels) {
   ExpectError(RunProgram({"crf", Path("scene"), "--variant", "none"}), "--variant: ", 2);
   ExpectError(RunProgram({"crf", Path("scene"), "-q", "--figure", "9", "-o", Path("x.png")}),
               "found no frame 9", 1);
+  ExpectError(RunProgram({"crf", Path("scene"), Path("none")}), "none: found no such folder", 2);
   WriteTinySequence(Path("wall"), 2);
   ExpectError(RunProgram({"crf", Path("wall"), "-q"}),
               "wall: found no ground truth of the bodies at pixels, expected a rendered scene", 1);
